@@ -1,0 +1,137 @@
+"""stochgeom: exact planning for feeding, grasping and sensing planar parts.
+
+The public names, each imported when it is first used, so that ``import stochgeom`` is quick.
+
+Examples
+--------
+>>> import stochgeom as sg
+>>> plan = sg.plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)])
+>>> plan.expected_cost.decimal(2)
+'6.00'
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from stochgeom.decision.hyperstates import Hyperstate
+    from stochgeom.errors import StochgeomError
+    from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
+    from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
+    from stochgeom.exact.forms import sign_of_form
+    from stochgeom.exact.ratios import TurnRatio
+    from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
+    from stochgeom.exact.vectors import AngleVector
+    from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
+    from stochgeom.feeding.plans import Action, FeedingPlan
+    from stochgeom.feeding.preimages import Preimage, Preimages, preimages
+    from stochgeom.geometry.calipers import antipodal_pairs
+    from stochgeom.geometry.diameter import DiameterFunction, Sinusoid
+    from stochgeom.geometry.hull import ConvexHull, convex_hull
+    from stochgeom.geometry.part import Part
+    from stochgeom.io.load import load_part
+    from stochgeom.io.outlines import parse_outline, read_outline
+    from stochgeom.thesis.parts import catalogue_names, catalogue_part
+    from stochgeom.transfer.squeeze import squeeze_function
+    from stochgeom.transfer.step_function import StepFunction
+
+_HOMES = {
+    "Hyperstate": "decision.hyperstates",
+    "StochgeomError": "errors",
+    "Angle": "exact.angles",
+    "EIGHTH_TURN": "exact.angles",
+    "FULL_TURN": "exact.angles",
+    "HALF_TURN": "exact.angles",
+    "QUARTER_TURN": "exact.angles",
+    "ZERO": "exact.angles",
+    "Arc": "exact.arcs",
+    "ClosedArc": "exact.arcs",
+    "union_arcs": "exact.arcs",
+    "union_measure": "exact.arcs",
+    "sign_of_form": "exact.forms",
+    "TurnRatio": "exact.ratios",
+    "from_float_exact": "exact.scalars",
+    "from_float_shortest": "exact.scalars",
+    "rational": "exact.scalars",
+    "AngleVector": "exact.vectors",
+    "FeedingProblem": "feeding.planner",
+    "orient_up_to_symmetry": "feeding.planner",
+    "plan_feeding": "feeding.planner",
+    "Action": "feeding.plans",
+    "FeedingPlan": "feeding.plans",
+    "Preimage": "feeding.preimages",
+    "Preimages": "feeding.preimages",
+    "preimages": "feeding.preimages",
+    "antipodal_pairs": "geometry.calipers",
+    "DiameterFunction": "geometry.diameter",
+    "Sinusoid": "geometry.diameter",
+    "ConvexHull": "geometry.hull",
+    "convex_hull": "geometry.hull",
+    "Part": "geometry.part",
+    "load_part": "io.load",
+    "parse_outline": "io.outlines",
+    "read_outline": "io.outlines",
+    "catalogue_names": "thesis.parts",
+    "catalogue_part": "thesis.parts",
+    "squeeze_function": "transfer.squeeze",
+    "StepFunction": "transfer.step_function",
+}
+
+__all__ = [
+    "EIGHTH_TURN",
+    "FULL_TURN",
+    "HALF_TURN",
+    "QUARTER_TURN",
+    "ZERO",
+    "Action",
+    "Angle",
+    "AngleVector",
+    "Arc",
+    "ClosedArc",
+    "ConvexHull",
+    "DiameterFunction",
+    "FeedingPlan",
+    "FeedingProblem",
+    "Hyperstate",
+    "Part",
+    "Preimage",
+    "Preimages",
+    "Sinusoid",
+    "StepFunction",
+    "StochgeomError",
+    "TurnRatio",
+    "antipodal_pairs",
+    "catalogue_names",
+    "catalogue_part",
+    "convex_hull",
+    "from_float_exact",
+    "from_float_shortest",
+    "load_part",
+    "orient_up_to_symmetry",
+    "parse_outline",
+    "plan_feeding",
+    "preimages",
+    "rational",
+    "read_outline",
+    "sign_of_form",
+    "squeeze_function",
+    "union_arcs",
+    "union_measure",
+]
+
+
+def __getattr__(name: str) -> Any:
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{home}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,90 @@
+"""``stochgeom plan``: from an outline to a feeding plan."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+from stochgeom.cli.plan_text import plan_text
+from stochgeom.cli.progress import Progress
+from stochgeom.errors import FormatError, InputError
+from stochgeom.exact.decimals import check_digits
+from stochgeom.feeding.planner import FeedingProblem
+from stochgeom.geometry.part import Part
+from stochgeom.io.load import load_part, part_of
+from stochgeom.io.outlines import Outline, parse_vertices
+from stochgeom.io.plan_json import plan_document
+
+_EPILOG = """\
+SOURCE is a part of the catalogue (see: stochgeom parts), a file, or - for standard input. Files
+hold JSON, WKT POLYGON, or a vertex per line such as "3 2" or "3,2". Numbers are exact: 0.1 is one
+tenth. examples:
+
+  stochgeom plan house
+  stochgeom plan outline.txt --cost-ratio 1/2
+  stochgeom plan --vertices "0,0 3,0 3,2 0,2" --json
+"""
+
+
+def add_parser(commands: Any) -> None:
+    """Register the command."""
+    parser = commands.add_parser(
+        "plan",
+        help="plan how to feed a part",
+        description="Print the plan of least expected cost and the shortest plan that orients "
+        "the part up to symmetry.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to plan for")
+    parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
+    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    parser.add_argument("--action", default="squeeze", choices=["squeeze"], help="default squeeze")
+    parser.add_argument(
+        "--cost-ratio",
+        default="1",
+        metavar="C",
+        help="cost of the filter over the cost of an action, a rational >= 0; default 1",
+    )
+    parser.add_argument(
+        "--digits", type=int, default=4, metavar="N", help="decimals after the point; default 4"
+    )
+    parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Plan, print, return the exit code."""
+    check_digits(arguments.digits)
+    problem = FeedingProblem(read_part(arguments), arguments.action)
+    optimal = problem.optimal_plan(arguments.cost_ratio)  # refuses a bad ratio before the work
+    with Progress("phase I: width of the last preimage, of a period") as progress:
+        for preimage in problem.preimages:
+            progress.show(float(problem.probability(preimage.steps)) * problem.transfer.order)
+    geometric = problem.geometric_plan(arguments.cost_ratio)
+    if arguments.json:
+        document = plan_document(problem, optimal, geometric, arguments.digits)
+        print(json.dumps(document, indent=1, ensure_ascii=False))
+    else:
+        print(plan_text(problem, optimal, geometric, arguments.digits))
+    return 0
+
+
+def read_part(arguments: argparse.Namespace) -> Part:
+    """Return the part that SOURCE or ``--vertices`` names.
+
+    Raises
+    ------
+    InputError
+        If neither or both are given.
+    """
+    if (arguments.source is None) == (arguments.vertices is None):
+        given = "neither" if arguments.source is None else "both"
+        raise InputError(f"{given} SOURCE and --vertices given; accepted: one of them")
+    if arguments.vertices is None:
+        return load_part(arguments.source, center_of_mass=arguments.center_of_mass)
+    if not arguments.vertices.strip():
+        raise FormatError('empty; accepted: "0,0 3,0 3,2 0,2"', where="--vertices")
+    vertices = parse_vertices(arguments.vertices, where="--vertices")
+    return part_of(Outline(vertices), arguments.center_of_mass)

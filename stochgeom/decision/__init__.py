@@ -1,0 +1,1 @@
+"""Decisions under uncertainty: distributions over states, and what plans do to them."""

@@ -1,0 +1,56 @@
+"""Hyperstates: probability distributions over the orientations a part may be in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import final
+
+from gmpy2 import mpq
+
+from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.ratios import TurnRatio
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Hyperstate:
+    """A distribution over finitely many orientations under a uniform prior.
+
+    Attributes
+    ----------
+    orientations : tuple of Angle
+        The states in [0, 360) degrees, increasing.
+    widths : tuple of Angle
+        For each the measure of the initial orientations that end there; their sum is 360
+        degrees, so the probability is width / (2 pi).
+
+    Examples
+    --------
+    >>> half = Angle.from_degrees(180)
+    >>> state = Hyperstate((Angle(), half), (half, half))
+    >>> state.probability(0).rational
+    mpq(1,2)
+    """
+
+    orientations: tuple[Angle, ...]
+    widths: tuple[Angle, ...]
+
+    def __len__(self) -> int:
+        return len(self.orientations)
+
+    def probability(self, k: int) -> TurnRatio:
+        """Return the exact probability of state k."""
+        return TurnRatio(mpq(1), self.widths[k])
+
+    def probabilities(self, digits: int = 4) -> tuple[str, ...]:
+        """Return all probabilities as correctly rounded decimals."""
+        return tuple(self.probability(k).decimal(digits) for k in range(len(self)))
+
+    def most_likely(self) -> int:
+        """Return the state of largest probability, the first of equal ones (Eq. 4.4)."""
+        return max(range(len(self)), key=lambda k: (self.widths[k], -k))
+
+    @property
+    def total(self) -> Angle:
+        """The sum of the widths: a full turn."""
+        return sum(self.widths, start=FULL_TURN - FULL_TURN)

@@ -1,0 +1,1 @@
+"""Exact numbers, angles and arcs: the floor everything else stands on."""

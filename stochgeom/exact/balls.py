@@ -1,0 +1,91 @@
+"""Ball arithmetic (Arb), at a precision that is set, used and put back under one lock.
+
+``flint.ctx.prec`` belongs to the whole process, so every use of Arb in stochgeom goes through
+`working_precision`. A ball is a certified enclosure: comparing balls answers "certainly", and
+an undecided comparison is False both ways.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Final, TypeAlias
+
+import flint
+from gmpy2 import mpq
+
+from stochgeom.errors import PrecisionLimitError
+
+Ball: TypeAlias = "Any"
+"""A real ball, `flint.arb`; python-flint ships no complete type information."""
+
+START_BITS: Final = 64
+MAX_BITS: Final = 1 << 22
+"""No certified question is pursued beyond this precision."""
+
+_LOCK = threading.RLock()
+
+
+@contextmanager
+def working_precision(bits: int) -> Iterator[None]:
+    """Run the block with `bits` of Arb precision, alone in the process, then restore.
+
+    Examples
+    --------
+    >>> with working_precision(128):
+    ...     ball = rational_ball(mpq(1, 3))
+    >>> ball.rel_accuracy_bits() > 120
+    True
+    """
+    with _LOCK:
+        before = flint.ctx.prec
+        flint.ctx.prec = bits
+        try:
+            yield
+        finally:
+            flint.ctx.prec = before
+
+
+def rational_ball(value: mpq | int) -> Ball:
+    """Enclose a rational number (exactly, where it is a whole number)."""
+    numerator, denominator = int(value.numerator), int(value.denominator)
+    return flint.arb(numerator) if denominator == 1 else flint.arb(numerator) / denominator
+
+
+def full_turn_ball() -> Ball:
+    """Enclose 2 pi."""
+    return 2 * flint.arb.pi()
+
+
+def argument_ball(x: Any, y: Any) -> Ball:
+    """Enclose arg(x + i y) / (2 pi), a number of turns in [0, 1)."""
+    ball = flint.arb.atan2(flint.arb(int(y)), flint.arb(int(x))) / full_turn_ball()
+    return ball + 1 if y < 0 else ball
+
+
+def ball_sign(ball: Ball) -> int | None:
+    """Return the sign of the number in the ball, or None while the ball does not tell."""
+    if ball > 0:
+        return 1
+    if ball < 0:
+        return -1
+    return 0 if ball.is_zero() else None
+
+
+def sign_by_refinement(enclose: Callable[[], Ball], start: int = START_BITS) -> int:
+    """Return the sign of a number known not to be zero, doubling the precision until it shows.
+
+    Raises
+    ------
+    PrecisionLimitError
+        If `MAX_BITS` do not suffice.
+    """
+    bits = start
+    while bits <= MAX_BITS:
+        with working_precision(bits):
+            sign = ball_sign(enclose())
+        if sign is not None:
+            return sign
+        bits *= 2
+    raise PrecisionLimitError(f"a sign is still undecided at {MAX_BITS} bits")

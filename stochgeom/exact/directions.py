@@ -1,0 +1,137 @@
+"""The simplest rational direction near the middle of an interval of angles.
+
+A plan's actions may be any angle of an interval; people want one near its middle, machines want
+one of few digits. Nothing here decides: every angle returned lies inside the interval by exact
+comparison, and all of it is integer arithmetic, so it is the same on every machine.
+"""
+
+from __future__ import annotations
+
+from gmpy2 import isqrt, mpq, mpz
+
+from stochgeom.errors import InvalidArcError
+from stochgeom.exact.angles import HALF_TURN, QUARTER_TURN, Angle, make_angle
+from stochgeom.exact.balls import START_BITS, Ball, rational_ball, working_precision
+
+_BITS = 16  # halves are right to about one part in 2**_BITS
+
+
+def nominal_angle(low: Angle, high: Angle) -> Angle:
+    """Return the simplest direction within about an eighth of the width from the middle.
+
+    Parameters
+    ----------
+    low, high : Angle
+        low < high, at most 360 degrees apart. The answer lies strictly between.
+
+    Examples
+    --------
+    >>> nominal_angle(Angle.from_degrees(40), Angle.from_degrees(47)).degrees(4)
+    '43.2000'
+    >>> nominal_angle(Angle(0, (3, 1)), Angle(0, (1, 3))).degrees(0)
+    '45'
+    """
+    width = high - low
+    if width.turn_part.denominator != 1:
+        return _nominal_turns(low, high)
+    middle = low + _half(width)
+    eighth = _half(_half(_half(width)))
+    angle = simplest_between(middle - eighth, middle + eighth)
+    assert low < angle < high
+    return angle
+
+
+def just_above(low: Angle, high: Angle) -> Angle:
+    """Return an angle above `low` by less than a 2**-20th of the way to `high`."""
+    width = high - low
+    if width.turn_part.denominator != 1:
+        return _simplest_turns(low, high, mpq(0), mpq(1, 2**20))
+    for _ in range(21):
+        width = _half(width)
+    angle = simplest_between(low + _half(width), low + width)
+    assert low < angle < high
+    return angle
+
+
+def simplest_between(first: Angle, last: Angle) -> Angle:
+    """Return the simplest rational direction in [first, last], both rational directions.
+
+    A multiple of a quarter turn if there is one, else the direction (q, p), turned by whole
+    quarters, whose slope p / q is the simplest fraction (Stern and Brocot) of the interval.
+
+    Raises
+    ------
+    InvalidArcError
+        If last < first.
+    """
+    if last < first:
+        raise InvalidArcError(f"no angle from {first} to {last}; accepted: first <= last")
+    quarters = -(-first // QUARTER_TURN)  # the first multiple not below `first`
+    if QUARTER_TURN * quarters <= last:
+        return QUARTER_TURN * quarters
+    base = QUARTER_TURN * (quarters - 1)
+    (ax, ay), (bx, by) = (first - base).direction, (last - base).direction
+    slope = simplest_fraction(mpq(ay, ax), mpq(by, bx))
+    return base + make_angle(0, slope.denominator, slope.numerator)
+
+
+def simplest_fraction(low: mpq, high: mpq) -> mpq:
+    """Return the fraction of least denominator, then least numerator, in [low, high], low >= 0.
+
+    Examples
+    --------
+    >>> simplest_fraction(mpq(3, 10), mpq(2, 5))
+    mpq(1,3)
+    """
+    # Continued fractions: both ends share leading terms a_0, a_1, ...; keep the convergents.
+    p0, q0, p1, q1 = mpz(0), mpz(1), mpz(1), mpz(0)
+    while True:
+        whole = low.numerator // low.denominator
+        if low == whole or whole + 1 <= high:
+            whole += low != whole
+            return mpq(whole * p1 + p0, whole * q1 + q0)
+        p0, q0, p1, q1 = p1, q1, whole * p1 + p0, whole * q1 + q0
+        low, high = 1 / (high - whole), 1 / (low - whole)
+
+
+def _half(width: Angle) -> Angle:
+    """Return about half of an angle in (0, 360] degrees, a rational direction, never 0.
+
+    With n = |(x, y)|, half the argument is that of (n + x, y) or, without cancellation for
+    x < 0, of (y, n - x); n comes from an integer square root.
+    """
+    if width.turn_part:
+        return HALF_TURN
+    x, y = width.direction
+    n = isqrt((x * x + y * y) << (2 * _BITS))
+    x, y = x << _BITS, y << _BITS
+    if x < 0:
+        return make_angle(0, y, n - x)
+    return make_angle(0, n + x, y) if y > 0 else make_angle(0, -n - x, -y)
+
+
+def _nominal_turns(low: Angle, high: Angle) -> Angle:
+    return _simplest_turns(low, high, mpq(3, 8), mpq(5, 8))
+
+
+def _simplest_turns(low: Angle, high: Angle, first: mpq, last: mpq) -> Angle:
+    """Return the simplest rational number of turns between two shares of the way."""
+    bits = START_BITS
+    while True:
+        with working_precision(bits):
+            start, width = low.ball(), (high - low).ball()
+            a = _dyadic((start + width * rational_ball(first)).upper())
+            b = _dyadic((start + width * rational_ball(last)).lower())
+        if a < b:
+            shift = a.numerator // a.denominator
+            angle = Angle.from_turns(simplest_fraction(a - shift, b - shift) + shift)
+            if low < angle < high:
+                return angle
+        bits *= 2
+
+
+def _dyadic(end: Ball) -> mpq:
+    """Return an exact ball as a rational number."""
+    mantissa, exponent = end.man_exp()
+    m, e = mpz(int(mantissa)), int(exponent)
+    return mpq(m << e) if e >= 0 else mpq(m, mpz(1) << -e)

@@ -1,0 +1,118 @@
+"""Periodic increasing sequences of angles, and the two questions phase I asks of them.
+
+A `LiftedAngles` stands for the bi-infinite sequence a_k with a_{k+m} = a_k + T, given by one
+period a_0 < ... < a_{m-1} and T. It owns the float64 shadow, its error bound and the exact
+fallback: callers never see a float. `exact_decisions` counts the decisions that the shadow left
+open, so that tests can force either road.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stochgeom.exact.angles import Angle
+from stochgeom.exact.vectors import AngleVector, FloatArray
+
+Indices = NDArray[np.intp]
+
+
+@final
+class LiftedAngles:
+    """The increasing sequence a_k with a_{k+m} = a_k + period.
+
+    Parameters
+    ----------
+    base : AngleVector
+        a_0 < ... < a_{m-1}, strictly increasing, less than one period long.
+    period : Angle
+        T > 0.
+    error : float, optional
+        A larger bound for the shadow than the proven one: with a huge one every decision is
+        made by exact arithmetic.
+
+    Examples
+    --------
+    >>> base = AngleVector.from_angles([Angle.from_degrees(d) for d in (0, 10, 90)])
+    >>> sequence = LiftedAngles(base, Angle.from_degrees(180))
+    >>> sequence[4].degrees(0)
+    '190'
+    >>> sequence.last_below(Angle.from_degrees(100)).tolist()
+    [2, 2, 3]
+    """
+
+    def __init__(self, base: AngleVector, period: Angle, *, error: float | None = None) -> None:
+        self.base, self.period = base, period
+        # Two periods hold every index asked for; adding T and 2 T to a shadow, with their own
+        # rounding, at most doubles the bound of the base.
+        self.error = 2 * base.error if error is None else error
+        self.exact_decisions = 0
+
+    def __len__(self) -> int:
+        """Return m, the number of entries in one period."""
+        return len(self.base)
+
+    def __getitem__(self, k: int) -> Angle:
+        turn, place = divmod(int(k), len(self.base))
+        angle = self.base[place]
+        return angle if turn == 0 else angle + self.period * turn
+
+    @cached_property
+    def _shadow(self) -> FloatArray:
+        """Shadows of a_0 .. a_{2m}, made monotone."""
+        base, period = self.base.shadow, self.period.to_float()
+        values = np.concatenate((base, base + period, base[:1] + 2 * period))
+        # A running maximum keeps the bound: no earlier entry exceeds a later one in truth.
+        return np.maximum.accumulate(values)
+
+    # --- the two questions -----------------------------------------------------------------------
+
+    def last_below(self, offset: Angle) -> Indices:
+        """Return for each i in [0, m) the last k with a_k < a_i + offset.
+
+        `offset` is positive and at most the period.  O(m) after the shadow, and O(log m) exact
+        comparisons for each entry that the shadow leaves open.
+        """
+        m, shadow = len(self), self._shadow
+        targets = shadow[:m] + offset.to_float()
+        after = np.searchsorted(shadow[: 2 * m], targets)
+        # The target carries the error of a_i and of the offset (below 2**-49), a_k its own.
+        margin = 2 * self.error + 2.0**-48
+        unclear = (targets - shadow[after - 1] <= margin) | (shadow[after] - targets <= margin)
+        last = after - 1
+        for i in np.nonzero(unclear)[0].tolist():
+            last[i] = self._exact_last_below(i, offset, targets[i], margin)
+        return last
+
+    def _exact_last_below(self, i: int, offset: Angle, target: float, margin: float) -> int:
+        self.exact_decisions += 1
+        bound = self[i] + offset
+        # Entries before `low` are certainly below, entries from `high` on certainly not. a_i is
+        # below and a_{i+m} is not, whatever the shadow says.
+        low = max(i + 1, int(np.searchsorted(self._shadow, target - margin)))
+        high = min(i + len(self), int(np.searchsorted(self._shadow, target + margin, "right")))
+        while low < high:
+            middle = (low + high) // 2
+            if self[middle] < bound:
+                low = middle + 1
+            else:
+                high = middle
+        return low - 1
+
+    def largest_gaps(self, last: Indices) -> Indices:
+        """Return every i in [0, m) for which a_{last[i]+1} - a_i is largest, in order."""
+        shadow = self._shadow
+        widths = shadow[last + 1] - shadow[: len(self)]
+        # Each width is within 2 error and one rounding of the truth; so is the largest.
+        margin = 4 * self.error + 2.0**-48
+        (near,) = np.nonzero(widths >= widths.max() - margin)
+        if len(near) == 1:
+            return near
+        self.exact_decisions += len(near)
+        exact = [self[int(last[i]) + 1] - self[int(i)] for i in near]
+        best = max(exact)
+        chosen: Any = [i for i, width in zip(near, exact, strict=True) if width == best]
+        return np.array(chosen, dtype=np.intp)

@@ -1,0 +1,266 @@
+"""Arrays of exact angles, with a float64 shadow that may filter and never choose.
+
+An `AngleVector` holds turns and directions as arrays (int64, or unbounded integers as objects),
+not reduced; a canonical `Angle` is made only when an entry is asked for.
+
+The shadow is the value in radians as float64, with a proven bound on its error. For |turns| <= t:
+
+- the components (x, y) are rounded to float64, or cut to their leading 60 bits together: the
+  argument moves by at most 2**-52;
+- numpy's arctan2 is taken as within 4 units in the last place (a test checks it against Arb on
+  every platform): at most 4 ulp(pi) = 2**-49;
+- adding 2 pi for the lower half plane, 2 pi t, and three roundings of values below 8 (1 + t):
+  at most 4 (1 + t) 2**-50.
+
+The sum is below (1 + t) 2**-47, the `error` of the shadow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
+from typing import Any, Final, overload
+
+import numpy as np
+from gmpy2 import mpq
+from numpy.typing import NDArray
+
+from stochgeom.exact.angles import Angle, make_angle
+from stochgeom.exact.predicates import (
+    EXACT_FLOAT_LIMIT,
+    IntArray,
+    as_objects,
+    cross_signs,
+    fits_float,
+    half_planes,
+)
+
+FloatArray = NDArray[np.float64]
+TWO_PI: Final = 2.0 * np.pi
+ERROR_PER_TURN: Final = 2.0**-47
+
+
+class AngleVector(Sequence[Angle]):
+    """A sequence of exact angles held in arrays.
+
+    Parameters
+    ----------
+    turns : int64 array, or object array of rationals
+        The turn parts.
+    x, y : int64 arrays, or object arrays of integers
+        The directions, none of them (0, 0).
+
+    Examples
+    --------
+    >>> vector = AngleVector.from_angles([Angle.from_degrees(45), Angle.from_degrees(370)])
+    >>> vector[1]
+    Angle('37/36', (1, 0))
+    >>> vector.to_float().round(3).tolist()
+    [0.785, 6.458]
+    """
+
+    def __init__(self, turns: IntArray, x: IntArray, y: IntArray) -> None:
+        self.turn_parts, self.x, self.y = turns, x, y
+
+    @classmethod
+    def from_directions(cls, x: IntArray, y: IntArray) -> AngleVector:
+        """Return the arguments of directions, in [0, 360) degrees."""
+        return cls(np.zeros(len(x), dtype=np.int64), x, y)
+
+    @classmethod
+    def from_angles(cls, angles: Iterable[Angle]) -> AngleVector:
+        """Gather angles; int64 where all numbers are small enough for it."""
+        listed = list(angles)
+        directions = [angle.direction for angle in listed]
+        vector = cls(
+            _int_array([angle.turn_part for angle in listed]),
+            _int_array([x for x, _ in directions]),
+            _int_array([y for _, y in directions]),
+        )
+        vector.__dict__["angles"] = tuple(listed)
+        return vector
+
+    # --- as a sequence ---------------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    @overload
+    def __getitem__(self, key: int) -> Angle: ...
+    @overload
+    def __getitem__(self, key: slice) -> AngleVector: ...
+    def __getitem__(self, key: int | slice) -> Angle | AngleVector:
+        if isinstance(key, slice):
+            return self.take(key)
+        cached = self.__dict__.get("angles")
+        if cached is not None:
+            return cached[key]  # type: ignore[no-any-return]
+        turn = self.turn_parts[key]
+        t = int(turn) if self.turn_parts.dtype != object or turn.denominator == 1 else mpq(turn)
+        return make_angle(t, int(self.x[key]), int(self.y[key]))
+
+    def __iter__(self) -> Iterator[Angle]:
+        return iter(self.angles)
+
+    @cached_property
+    def angles(self) -> tuple[Angle, ...]:
+        """All entries as canonical angles, made on first use."""
+        return tuple(self[k] for k in range(len(self)))
+
+    def take(self, key: slice | NDArray[Any]) -> AngleVector:
+        """Return the entries at a slice, a mask or an index array."""
+        return AngleVector(self.turn_parts[key], self.x[key], self.y[key])
+
+    @staticmethod
+    def concatenate(vectors: Sequence[AngleVector]) -> AngleVector:
+        """Return the entries of all vectors, one after the other."""
+        return AngleVector(
+            _join([v.turn_parts for v in vectors]),
+            _join([v.x for v in vectors]),
+            _join([v.y for v in vectors]),
+        )
+
+    def __repr__(self) -> str:
+        return f"AngleVector.from_angles({list(self.angles)!r})"
+
+    # --- arithmetic ------------------------------------------------------------------------------
+
+    def rotate(self, angle: Angle) -> AngleVector:
+        """Return every entry plus `angle`.
+
+        Examples
+        --------
+        >>> vector = AngleVector.from_angles([Angle(0, (0, -1))]).rotate(Angle(0, (0, 1)))
+        >>> vector[0]
+        Angle(1, (1, 0))
+        """
+        ax, ay = angle.direction
+        x, y = _product(self.x, self.y, ax, ay)
+        # The argument of a product passes a full turn exactly if it is smaller than a factor's.
+        carry = _arguments_below(x, y, self.x, self.y).astype(np.int64)
+        turn = angle.turn_part
+        if turn.denominator != 1 or abs(turn) >= EXACT_FLOAT_LIMIT:
+            return AngleVector(as_objects(self.turn_parts) + turn + carry, x, y)
+        return AngleVector(self.turn_parts + int(turn) + carry, x, y)
+
+    # --- floats ----------------------------------------------------------------------------------
+
+    @cached_property
+    def shadow(self) -> FloatArray:
+        """The values in radians, each within `error`; to filter with, never to choose."""
+        x, y = _float_directions(self.x, self.y)
+        values: FloatArray = np.arctan2(y, x)
+        values[half_planes(self.x, self.y) & (values < 0)] += TWO_PI
+        if self.turn_parts.dtype == object or self.turn_parts.any():
+            values += TWO_PI * self.turn_parts.astype(np.float64)
+        return values
+
+    @cached_property
+    def error(self) -> float:
+        """The proven bound on the shadow's error, see the module docstring."""
+        largest = max((abs(int(t)) for t in _extremes(self.turn_parts)), default=0)
+        return (2 + largest) * ERROR_PER_TURN
+
+    def to_float(self) -> FloatArray:
+        """Return radians as float64, for plots: each within `error`."""
+        return self.shadow.copy()
+
+
+# --- array helpers -------------------------------------------------------------------------------
+
+
+def _int_array(values: Sequence[Any]) -> IntArray:
+    if all(v.denominator == 1 and -EXACT_FLOAT_LIMIT < v < EXACT_FLOAT_LIMIT for v in values):
+        return np.array([int(v) for v in values], dtype=np.int64)
+    array = np.empty(len(values), dtype=object)
+    array[:] = values
+    return array
+
+
+def _join(arrays: Sequence[IntArray]) -> IntArray:
+    if any(array.dtype == object for array in arrays):
+        arrays = [as_objects(array) for array in arrays]
+    return np.concatenate(arrays)
+
+
+def _extremes(array: IntArray) -> tuple[Any, ...]:
+    return (array.max(), array.min()) if array.size else ()
+
+
+def _product(x: IntArray, y: IntArray, ax: Any, ay: Any) -> tuple[IntArray, IntArray]:
+    """Multiply the directions by ax + i ay, in int64 where nothing can overflow."""
+    largest = max(abs(ax), abs(ay))
+    if largest <= 1 and fits_float(x, y):
+        ax, ay = int(ax), int(ay)  # entries at most double: 2**54 still fits int64
+    else:
+        x, y = as_objects(x), as_objects(y)
+    return x * ax - y * ay, x * ay + y * ax
+
+
+def _arguments_below(ax: IntArray, ay: IntArray, bx: IntArray, by: IntArray) -> NDArray[np.bool_]:
+    """Tell entry by entry whether arg a < arg b, both in [0, 360) degrees."""
+    half_a, half_b = half_planes(ax, ay), half_planes(bx, by)
+    below: NDArray[np.bool_] = (half_a < half_b) | (
+        (half_a == half_b) & (cross_signs(ax, ay, bx, by) > 0)
+    )
+    return below
+
+
+def _float_directions(x: IntArray, y: IntArray) -> tuple[FloatArray, FloatArray]:
+    if x.dtype != object and y.dtype != object:
+        return x.astype(np.float64), y.astype(np.float64)
+    # One shift for both components: float(10**400) would overflow.
+    kept = 60
+    shifts = [
+        max(0, max(int(a).bit_length(), int(b).bit_length()) - kept)
+        for a, b in zip(x, y, strict=True)
+    ]
+    return (
+        np.array([float(int(a) >> s) for a, s in zip(x, shifts, strict=True)]),
+        np.array([float(int(b) >> s) for b, s in zip(y, shifts, strict=True)]),
+    )
+
+
+def argsort_arguments(x: IntArray, y: IntArray) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    """Sort directions by their argument in [0, 360) degrees, exactly; equal ones stay in order.
+
+    Returns
+    -------
+    order : index array
+        Positions in increasing order of argument.
+    fresh : bool array
+        For each place of `order`, whether its argument exceeds the one before it.
+
+    Notes
+    -----
+    O(n log n). The shadow sorts; exact signs of neighbours find what it got wrong, and only runs
+    of neighbours closer than its error are sorted again, exactly.
+
+    Examples
+    --------
+    >>> order, fresh = argsort_arguments(np.array([0, 1, 2]), np.array([1, 1, 2]))
+    >>> order.tolist(), fresh.tolist()
+    ([1, 2, 0], [True, False, True])
+    """
+    vector = AngleVector.from_directions(x, y)
+    order = np.argsort(vector.shadow, kind="stable")
+    x, y = x[order], y[order]
+    if _arguments_below(x[1:], y[1:], x[:-1], y[:-1]).any():
+        order = _sort_close_runs(vector, order)
+        x, y = vector.x[order], vector.y[order]
+    fresh = np.ones(len(order), dtype=np.bool_)
+    fresh[1:] = _arguments_below(x[:-1], y[:-1], x[1:], y[1:])
+    return order, fresh
+
+
+def _sort_close_runs(vector: AngleVector, order: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Sort runs of neighbours whose shadows cannot tell them apart, by exact comparison."""
+    order = order.copy()
+    gaps = np.diff(vector.shadow[order])
+    close = np.concatenate(([False], gaps <= 2 * vector.error, [False]))
+    edges = np.diff(close.astype(np.int8))
+    for first, last in zip(np.nonzero(edges == 1)[0], np.nonzero(edges == -1)[0], strict=True):
+        # Shadows of different runs differ by more than both errors, so runs never interleave.
+        run = sorted(order[first : last + 1].tolist(), key=lambda k: (vector[k], k))
+        order[first : last + 1] = run
+    return order

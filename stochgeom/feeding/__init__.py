@@ -1,0 +1,1 @@
+"""Feeding plans: preimages (phase I), plans (phase II), execution and verification."""

@@ -1,0 +1,1 @@
+"""Polygonal parts and the functions of orientation that their outlines define."""

@@ -1,0 +1,154 @@
+"""What makes an outline acceptable, and the mass it encloses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from gmpy2 import mpq, mpz
+from numpy.typing import NDArray
+
+from stochgeom.errors import (
+    CollinearOutlineError,
+    InvalidHoleError,
+    SelfIntersectionError,
+    TooFewVerticesError,
+)
+from stochgeom.exact.predicates import HomogeneousPoint, Turn, orientation
+from stochgeom.geometry.points import Point, Points
+from stochgeom.geometry.simplicity import Conflict, ConflictKind, contains, find_conflict
+
+Indices = NDArray[np.intp]
+
+_WORDS = {
+    ConflictKind.CROSSING: "cross",
+    ConflictKind.TOUCHING: "touch",
+    ConflictKind.OVERLAPPING: "overlap",
+}
+
+
+def without_repeats(points: Points) -> Indices:
+    """Return the indices of vertices that differ from the vertex before, in cyclic order."""
+    here = np.arange(len(points))
+    dx, dy = points.vectors(np.roll(here, 1), here)
+    kept: Indices = here[((dx != 0) | (dy != 0)).astype(np.bool_)]
+    return kept if len(kept) or not len(here) else here[:1]
+
+
+def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
+    """Raise unless the outline is a simple polygon and the holes lie properly inside it."""
+    rings, numbers = [], []
+    for place, ring in enumerate((points, *holes)):
+        kept = without_repeats(ring)
+        corners = [ring.homogeneous()[k] for k in kept]
+        _check_ring(corners, None if place == 0 else f"hole {place - 1}")
+        # Rings must share a scale to be compared with each other.
+        rings.append([(x, y, w * ring.scale) for x, y, w in corners])
+        numbers.append(kept)
+    conflict = find_conflict(rings)
+    if conflict is not None:
+        raise _conflict_error(conflict, numbers, (points, *holes))
+    _check_nesting(rings)
+
+
+def _check_ring(corners: list[HomogeneousPoint], where: str | None) -> None:
+    distinct = {(mpq(x, w), mpq(y, w)) for x, y, w in corners}
+    if len(distinct) < 3:
+        raise TooFewVerticesError(
+            f"{len(distinct)} distinct vertices; accepted: at least 3", where=where
+        )
+    first = corners[0]
+    second = next(
+        p
+        for p in corners
+        if mpq(p[0], p[2]) != mpq(first[0], first[2]) or mpq(p[1], p[2]) != mpq(first[1], first[2])
+    )
+    if all(orientation(first, second, p) is Turn.STRAIGHT for p in corners):
+        raise CollinearOutlineError(
+            f"all {len(distinct)} distinct vertices lie on one line; "
+            "accepted: an outline that encloses an area",
+            where=where,
+        )
+
+
+def _conflict_error(
+    conflict: Conflict, numbers: list[Indices], rings: tuple[Points, ...]
+) -> SelfIntersectionError | InvalidHoleError:
+    def name(ring: int, edge: int) -> str:
+        kept, points = numbers[ring], rings[ring]
+        tail, head = int(kept[edge]), int(kept[(edge + 1) % len(kept)])
+        owner = "" if ring == 0 else f" of hole {ring - 1}"
+        return f"edge {tail}{owner} from {_text(points.point(tail))} to {_text(points.point(head))}"
+
+    word = _WORDS[conflict.kind]
+    message = f"{name(*conflict.first)} and {name(*conflict.second)} {word}; "
+    edges = tuple(int(numbers[ring][edge]) for ring, edge in (conflict.first, conflict.second))
+    if conflict.first[0] == conflict.second[0] == 0:
+        return SelfIntersectionError(
+            message + "accepted: an outline that does not meet itself",
+            edges=(edges[0], edges[1]),
+            where=f"edges {edges[0]} and {edges[1]}",
+        )
+    hole = max(conflict.first[0], conflict.second[0]) - 1
+    return InvalidHoleError(
+        message + "accepted: holes that meet neither themselves, each other nor the outline",
+        where=f"hole {hole}",
+    )
+
+
+def _check_nesting(rings: list[list[HomogeneousPoint]]) -> None:
+    """With no two edges in contact, one vertex of a ring tells for all of it."""
+    outline, *holes = rings
+    for place, hole in enumerate(holes):
+        if contains(outline, hole[0]) != 1:
+            raise InvalidHoleError(
+                "it lies outside the outline; accepted: holes inside it", where=f"hole {place}"
+            )
+        for other, ring in enumerate(holes):
+            if other != place and contains(ring, hole[0]) == 1:
+                raise InvalidHoleError(
+                    f"it lies inside hole {other}; accepted: holes beside each other",
+                    where=f"hole {place}",
+                )
+
+
+@dataclass(frozen=True, slots=True)
+class Mass:
+    """Area and uniform centroid."""
+
+    area: mpq
+    centroid: Point
+
+
+def mass_of(outline: Points, holes: tuple[Points, ...]) -> Mass:
+    """Return area and centroid of an outline less its holes.  O(n) exact operations."""
+    area, mx, my = _moments(outline)
+    for hole in holes:
+        hole_area, hole_x, hole_y = _moments(hole)
+        area, mx, my = area - hole_area, mx - hole_x, my - hole_y
+    return Mass(area, (mx / area, my / area))
+
+
+def _moments(points: Points) -> tuple[mpq, mpq, mpq]:
+    """Return area and first moments of one simple ring, with positive area."""
+    if points.w is None:
+        xs, ys = ([mpz(v) for v in values.tolist()] for values in (points.x, points.y))
+        scale = points.scale
+    else:
+        pairs = points.pairs()
+        xs, ys = [x for x, _ in pairs], [y for _, y in pairs]
+        scale = mpz(1)
+    twice = mx = my = mpz(0)
+    for k in range(len(xs)):
+        ax, ay, bx, by = xs[k - 1], ys[k - 1], xs[k], ys[k]
+        cross = ax * by - ay * bx
+        twice += cross
+        mx += cross * (ax + bx)
+        my += cross * (ay + by)
+    sign = -1 if twice < 0 else 1
+    cube = 6 * scale**3
+    return sign * mpq(twice) / (2 * scale**2), sign * mpq(mx) / cube, sign * mpq(my) / cube
+
+
+def _text(point: Point) -> str:
+    return f"({point[0]!s:.40}, {point[1]!s:.40})"

@@ -1,0 +1,258 @@
+"""Outlines as JSON: a list of pairs, an object, a plan document or GeoJSON.
+
+- ``[[0, 0], [3, 0], [3, 2]]``;
+- an object with ``vertices`` and, if wanted, ``name``, ``center_of_mass`` and ``holes``;
+- a document of schema ``stochgeom/plan/1``, whose ``part`` is such an object;
+- a GeoJSON ``Polygon``, with ``name`` and ``center_of_mass`` if wanted, or a ``Feature`` that has
+  one (its properties are not read).
+
+Coordinates are JSON numbers or text (``"1/3"``); both are read from their digits. Keys that are
+not known are passed over, for files come from elsewhere, unless they look like a misspelling of
+a known one: a centre of mass must not get lost over a letter.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+from typing import Any, Final, NoReturn, TypeAlias
+
+from stochgeom.errors import FormatError, NumberError
+from stochgeom.exact import scalars
+from stochgeom.io.rings import (
+    Outline,
+    Point,
+    Ring,
+    is_showable,
+    read_pair,
+    require_some_vertices,
+    shown,
+    without_closing_vertex,
+)
+
+ACCEPTED: Final = (
+    'accepted: a list of [x, y] pairs, an object with "vertices" (and "name", "center_of_mass", '
+    '"holes"), a stochgeom/plan/1 document or a GeoJSON Polygon'
+)
+
+SCHEMAS: Final = ("stochgeom/plan/1",)
+"""Schemas of the documents whose `part` is read."""
+
+_PART_KEYS: Final = ("vertices", "name", "center_of_mass", "holes")
+
+# From 0.7 on "vertexes", "centreOfMass" and "center_of_gravity" count as misspelt; "filename",
+# "label" and "description" do not.
+_LIKENESS: Final = 0.7
+
+_Object: TypeAlias = dict[str, Any]
+
+
+class _NumberText(str):
+    """The text of a JSON number, told apart from a JSON string."""
+
+    __slots__ = ()
+
+
+def parse_json(text: str) -> Outline:
+    """Read an outline from JSON.
+
+    Raises
+    ------
+    FormatError
+        For broken JSON, repeated or misspelt keys, and values of another shape.
+    TooFewVerticesError
+        For a ring without any vertex.
+    NumberError
+        If a coordinate is not a number, NaN and infinity among them.
+
+    Examples
+    --------
+    >>> parse_json('[[0, 0], [0.1, 0], ["1/3", 2e1]]').vertices
+    ((mpq(0,1), mpq(0,1)), (mpq(1,10), mpq(0,1)), (mpq(1,3), mpq(20,1)))
+    >>> parse_json('{"vertices": [[0, 0], [1, 0], [0, 1]], "name": "wedge"}').name
+    'wedge'
+    """
+    document = _load(text)
+    if isinstance(document, list):
+        return Outline(_ring(document, "", "vertices"))
+    if isinstance(document, dict):
+        return _from_object(document)
+    raise FormatError(f"{_kind(document)} is not an outline; {ACCEPTED}")
+
+
+def _load(text: str) -> Any:
+    try:
+        return json.loads(
+            text,
+            parse_int=_NumberText,
+            parse_float=_NumberText,
+            parse_constant=_NumberText,  # refused later, where the place is known
+            object_pairs_hook=_without_repeats,
+        )
+    except json.JSONDecodeError as error:
+        # Only the reason is told here: its place goes into `where`.
+        end = " (the text ends here)" if error.pos >= len(text.rstrip()) else ""
+        raise FormatError(
+            f"broken JSON: {error.msg}{end}; {ACCEPTED}",
+            where=f"line {error.lineno}, column {error.colno}",
+        ) from None
+    except RecursionError:
+        raise FormatError(f"JSON nested too deeply; {ACCEPTED}") from None
+
+
+def _without_repeats(pairs: list[tuple[str, Any]]) -> _Object:
+    result: _Object = {}
+    for key, value in pairs:
+        if key in result:
+            raise FormatError(
+                "this key stands twice in one object; accepted: each key once",
+                where=f"key {shown(key)}",
+            )
+        result[key] = value
+    return result
+
+
+def _from_object(document: _Object) -> Outline:
+    if "vertices" in document:
+        return _from_part(document)
+    if "part" in document:
+        return _from_plan(document)
+    if "type" in document:
+        return _from_geojson(document)
+    return _from_part(document)
+
+
+def _from_plan(document: _Object) -> Outline:
+    schema = document.get("schema", SCHEMAS[0])
+    if schema not in SCHEMAS:
+        raise FormatError(
+            f"{_kind(schema)} is not a schema that is read; accepted: {', '.join(SCHEMAS)}",
+            where="schema",
+        )
+    part = document["part"]
+    if not isinstance(part, dict):
+        raise FormatError(
+            f'{_kind(part)} is not a part; accepted: an object with "vertices"', where="part"
+        )
+    return _from_part(part)
+
+
+def _from_part(part: _Object) -> Outline:
+    _refuse_misspellings(part)
+    if "vertices" not in part:
+        keys = shown(", ".join(part)) if part else "none"
+        raise FormatError(f'no key "vertices" (keys found: {keys}); {ACCEPTED}')
+    return Outline(
+        _ring(part["vertices"], "", "vertices"),
+        _holes(part.get("holes")),
+        _center_of_mass(part.get("center_of_mass")),
+        _name(part.get("name")),
+    )
+
+
+def _from_geojson(document: _Object) -> Outline:
+    geometry: Any = document
+    if document["type"] == "Feature":
+        geometry = document.get("geometry")
+        if not isinstance(geometry, dict):
+            raise FormatError(
+                f"{_kind(geometry)} is not a geometry; accepted: a GeoJSON Polygon",
+                where="geometry",
+            )
+    if geometry.get("type") != "Polygon":
+        raise FormatError(
+            f"{_kind(geometry.get('type'))} is not a geometry that is read; {ACCEPTED}",
+            where="type",
+        )
+    _refuse_misspellings(geometry)
+    rings = geometry.get("coordinates")
+    if not isinstance(rings, list):
+        _refuse_ring_list(rings, "coordinates")
+    require_some_vertices(rings, "coordinates")
+    return Outline(
+        _ring(rings[0], "", "coordinates"),
+        _holes(rings[1:]),
+        _center_of_mass(geometry.get("center_of_mass")),
+        _name(geometry.get("name")),
+    )
+
+
+def _refuse_misspellings(part: _Object) -> None:
+    for key in part:
+        if key in _PART_KEYS:
+            continue
+        likely = difflib.get_close_matches(key.lower(), _PART_KEYS, n=1, cutoff=_LIKENESS)
+        if likely:
+            raise FormatError(
+                f'not a known key, but close to "{likely[0]}"; '
+                f"accepted: {', '.join(_PART_KEYS)}, and keys unlike these",
+                where=f"key {shown(key)}",
+            )
+
+
+def _holes(value: Any) -> tuple[Ring, ...]:
+    if value is None:
+        return ()
+    if not isinstance(value, list):
+        _refuse_ring_list(value, "holes")
+    return tuple(
+        _ring(ring, f"hole {index}, ", f"hole {index}") for index, ring in enumerate(value)
+    )
+
+
+def _refuse_ring_list(value: Any, where: str) -> NoReturn:
+    raise FormatError(
+        f"{_kind(value)} is not a list of rings; accepted: [[[x, y], ...], ...]", where=where
+    )
+
+
+def _ring(value: Any, prefix: str, where: str) -> Ring:
+    """Read a list of pairs; `prefix` leads to a vertex of it, `where` names the list itself."""
+    if not isinstance(value, list):
+        raise FormatError(
+            f"{_kind(value)} is not a list of vertices; accepted: [[x, y], ...]", where=where
+        )
+    require_some_vertices(value, where)
+    return without_closing_vertex(
+        [_point(pair, f"{prefix}vertex {index}") for index, pair in enumerate(value)]
+    )
+
+
+def _point(value: Any, where: str) -> Point:
+    if not isinstance(value, list) or len(value) != 2:
+        raise FormatError(f"{_kind(value)} is not a vertex; accepted: [x, y]", where=where)
+    x, y = value
+    if isinstance(x, str) and isinstance(y, str):
+        return read_pair(x, y, where)
+    axis, culprit = ("y", y) if isinstance(x, str) else ("x", x)
+    raise NumberError(
+        f"{_kind(culprit)} is not a number; {scalars.ACCEPTED}", where=f"{where}, {axis}"
+    )
+
+
+def _center_of_mass(value: Any) -> Point | None:
+    return None if value is None else _point(value, "center_of_mass")
+
+
+def _name(value: Any) -> str | None:
+    if value is None:
+        return None
+    if not isinstance(value, str) or isinstance(value, _NumberText) or not is_showable(value):
+        raise FormatError(
+            f"{_kind(value)} is not a name; accepted: text without control characters",
+            where="name",
+        )
+    return value or None
+
+
+def _kind(value: Any) -> str:
+    """Say what a JSON value is; never its whole content, which may be long or deep."""
+    if isinstance(value, _NumberText):
+        return f"the number {value[:20]}"
+    if isinstance(value, str):
+        return f"the text {shown(value)}"
+    if isinstance(value, list):
+        return f"a list of {len(value)}"
+    if isinstance(value, dict):
+        return "an object"
+    return {None: "null", True: "true", False: "false"}[value]

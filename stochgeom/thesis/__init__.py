@@ -1,0 +1,1 @@
+"""The source's parts, tables and errata, as data and code."""

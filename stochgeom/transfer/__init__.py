@@ -1,0 +1,1 @@
+"""Transfer functions: step maps of the circle that actions induce on orientations."""

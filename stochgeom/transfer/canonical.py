@@ -1,0 +1,162 @@
+"""The canonical form of a step function: checked, cut to one smallest period, merged.
+
+Order and equality of neighbours are decided on arrays by float shadows where these are farther
+apart than their error, and by exact angles elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+
+import numpy as np
+from gmpy2 import mpq
+
+from stochgeom.errors import InvalidStepFunctionError
+from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.lifted import LiftedAngles
+from stochgeom.exact.predicates import Signs
+from stochgeom.exact.vectors import AngleVector
+
+
+def full_turn_share(period: Angle) -> int:
+    """Return q with period = 2 pi / q.
+
+    Raises
+    ------
+    InvalidStepFunctionError
+        If the period is no whole share of a full turn.
+
+    Examples
+    --------
+    >>> full_turn_share(Angle.from_degrees(90))
+    4
+    """
+    turns = period.rational_turns
+    if turns is None or turns <= 0 or turns.numerator != 1:
+        raise InvalidStepFunctionError(
+            f"period {period}; accepted: a full turn divided by a whole number"
+        )
+    return int(turns.denominator)
+
+
+def canonical_steps(
+    breaks: AngleVector, values: AngleVector, period: Angle
+) -> tuple[AngleVector, AngleVector, Angle]:
+    """Return breaks in [0, T), values and the smallest period T, or raise.
+
+    O(m) for functions whose angles are rational directions, where only 1, 2, 4 and 8 periods to
+    a full turn come into question; O(m) for each divisor of m otherwise.
+    """
+    _check_increasing(breaks, values, period)
+    breaks, values = _merge_equal(breaks, values, period)
+    breaks, values = _into_period(breaks, values, period)
+    m = len(breaks)
+    # The smallest period cuts m into the most equal words; try many words first.
+    for count in _divisors(m):
+        share = Angle.from_turns(mpq(1, full_turn_share(period) * count))
+        step = m // count
+        if _repeats(breaks, period, step, share) and _repeats(values, period, step, share):
+            return breaks.take(slice(step)), values.take(slice(step)), share
+    raise AssertionError("one word always repeats")  # pragma: no cover
+
+
+def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -> None:
+    if not len(breaks) or len(breaks) != len(values):
+        raise InvalidStepFunctionError(
+            f"{len(breaks)} breaks and {len(values)} values; accepted: as many, at least one"
+        )
+    for vector, what, least in ((breaks, "break", 1), (values, "value", 0)):
+        signs = neighbour_signs(vector, period)
+        (bad,) = np.nonzero(signs < least)
+        if len(bad):
+            k, n = int(bad[0]), len(vector)
+            follower = (
+                f"{what} {k + 1} at {vector[k + 1]}"
+                if k + 1 < n
+                else f"{what} 0 one period on at {vector[0] + period}"
+            )
+            raise InvalidStepFunctionError(
+                f"{what} {k} at {vector[k]} is followed by {follower}; accepted: "
+                + ("strictly increasing breaks" if least else "values that do not decrease"),
+                where=f"{what} {k}",
+            )
+
+
+def neighbour_signs(vector: AngleVector, period: Angle) -> Signs:
+    """Return the sign of a_{k+1} - a_k for k in [0, m), with a_m = a_0 + period."""
+    lifted = AngleVector.concatenate([vector, AngleVector.from_angles([vector[0] + period])])
+    gaps = np.diff(lifted.shadow)
+    signs = np.sign(gaps).astype(np.int8)
+    # Two shadows and one rounding; what is closer is decided by exact angles.
+    for k in np.nonzero(np.abs(gaps) <= 3 * lifted.error)[0].tolist():
+        signs[k] = lifted[k + 1].compare(lifted[k])
+    return signs
+
+
+def _merge_equal(
+    breaks: AngleVector, values: AngleVector, period: Angle
+) -> tuple[AngleVector, AngleVector]:
+    """Drop every break across which the value does not change."""
+    rises = neighbour_signs(values, period) > 0
+    keep = np.roll(rises, 1)  # break k stays if the value rises from step k - 1 to step k
+    return (breaks, values) if keep.all() else (breaks.take(keep), values.take(keep))
+
+
+def _into_period(
+    breaks: AngleVector, values: AngleVector, period: Angle
+) -> tuple[AngleVector, AngleVector]:
+    """Lift whole periods off so that all breaks lie in [0, period), in order."""
+    if breaks[0] >= ZERO and breaks[-1] < period:
+        return breaks, values
+    periods = breaks[0] // period
+    shift = -(period * periods)
+    breaks, values = breaks.rotate(shift), values.rotate(shift)
+    inside = sum(1 for angle in breaks if angle < period)
+    if inside == len(breaks):
+        return breaks, values
+    late, early = slice(inside, None), slice(inside)
+    return (
+        AngleVector.concatenate([breaks.take(late).rotate(-period), breaks.take(early)]),
+        AngleVector.concatenate([values.take(late).rotate(-period), values.take(early)]),
+    )
+
+
+def _divisors(m: int) -> list[int]:
+    small = [k for k in range(1, int(m**0.5) + 1) if m % k == 0]
+    return sorted({*small, *(m // k for k in small)}, reverse=True)
+
+
+def _repeats(vector: AngleVector, period: Angle, step: int, share: Angle) -> bool:
+    """Tell whether a_{k+step} = a_k + share for all k."""
+    lifted = LiftedAngles(vector, period)
+    if lifted[step] != vector[0] + share:
+        return False  # settles nearly every candidate
+    return all(lifted[k + step] == vector[k] + share for k in range(1, len(vector)))
+
+
+def find_rotation(word: Sequence[Hashable], target: Sequence[Hashable]) -> int | None:
+    """Return the smallest k with word[k:] + word[:k] == target, or None.  O(m).
+
+    Knuth, Morris and Pratt's search for `target` in `word` written twice.
+
+    Examples
+    --------
+    >>> find_rotation("abcab", "ababc"), find_rotation("abc", "acb")
+    (3, None)
+    """
+    m = len(target)
+    fallback = [0] * m
+    matched = 0
+    for k in range(1, m):
+        while matched and target[k] != target[matched]:
+            matched = fallback[matched - 1]
+        matched += target[k] == target[matched]
+        fallback[k] = matched
+    matched = 0
+    for k in range(2 * m - 1):
+        while matched and word[k % m] != target[matched]:
+            matched = fallback[matched - 1]
+        matched += word[k % m] == target[matched]
+        if matched == m:
+            return k - m + 1
+    return None
