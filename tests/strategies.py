@@ -7,6 +7,7 @@ frequent; `tests/unit/test_strategies.py` checks that they are.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import gcd
 
 from hypothesis import strategies as st
 
@@ -14,6 +15,7 @@ from stochgeom.errors import InvalidPartError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.geometry.part import Part
+from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
 
 small = st.integers(-4, 4)
@@ -144,3 +146,97 @@ SPECIAL = [
     Part([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)], name="L"),
 ]
 """Corners of the input space: squares, shared squeeze functions, hidden symmetry, collinearity."""
+
+
+# --- made of the above ---------------------------------------------------------------------------
+
+
+def squeezes() -> st.SearchStrategy[StepFunction]:
+    """Squeeze functions of `parts`: values between their breaks, period at most 180 degrees."""
+    return parts().map(squeeze_function)
+
+
+def transfer_functions() -> st.SearchStrategy[StepFunction]:
+    """Step maps of both kinds."""
+    return st.one_of(step_functions(), squeezes())
+
+
+@st.composite
+def rational_parts(draw: st.DrawFn) -> Part:
+    """Grid parts turned, scaled and moved to coordinates with denominators of all kinds."""
+    part = draw(parts())
+    factor = draw(st.tuples(fractions, fractions).filter(lambda p: p != (0, 0)))
+    return part.multiply(factor).translate(*draw(rational_points))
+
+
+@st.composite
+def circle_parts(draw: st.DrawFn) -> Part:
+    """Convex parts with vertices on the unit circle and 40-bit denominators, all different.
+
+    No small common denominator exists, so that their points are homogeneous.
+    """
+    slopes = draw(st.lists(st.integers(-(10**7), 10**7), min_size=3, max_size=8, unique=True))
+    corners = []
+    for k, slope in enumerate(sorted(slopes)):
+        t = Fraction(slope, 10**6 + 7 * k)
+        corners.append(((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
+    # Different denominators may have exchanged neighbours on the circle.
+    corners.sort(key=lambda p: Angle(0, p))
+    return _part_or_reject(corners)
+
+
+mixtures = st.tuples(st.sampled_from([0, 1, 1, 2, 3, 10**6, 10**30]), st.integers(1, 4))
+"""Weights of the two ends of a range: an angle strictly above the lower one, at most the upper."""
+
+
+# --- numbers and sequences at the limits ---------------------------------------------------------
+
+int64s = st.one_of(
+    small,
+    st.integers(-(2**33), 2**33),
+    st.integers(-(2**63), 2**63 - 1),
+    st.sampled_from([s * 2**e + d for e in (52, 53, 62) for d in (-1, 0, 1) for s in (-1, 1)]),
+    st.sampled_from([-(2**63), 1 - 2**63, 2**63 - 1, 2**63 - 2]),
+)
+"""Machine integers, those about the limits of float64 and int64 among them."""
+
+long_fractions = st.one_of(fractions, st.fractions(-20, 20, max_denominator=10**30))
+"""Rationals, some with denominators of 30 digits."""
+
+TINY = Angle(0, (2**200, 1))
+"""An angle of about 2**-200: no float64 near another angle shows it."""
+
+
+@st.composite
+def near_ties(draw: st.DrawFn) -> tuple[int, int, int, int]:
+    """Integers (a, b, c, d) below 2**53 with a d - b c from -2 to 2.
+
+    Mostly the two products are above 2**100, so that float64 rounds them to one number.
+    """
+    a, b = draw(st.integers(2, 2**53 - 1)), draw(st.integers(2, 2**53 - 1))
+    common = gcd(a, b)
+    a, b = a // common, b // common
+    difference = draw(st.integers(-2, 2))
+    d = difference * pow(a, -1, b) % b
+    c = (a * d - difference) // b
+    s, t = draw(st.sampled_from([(1, 1), (1, -1), (-1, 1), (-1, -1)]))
+    return s * a, s * b, t * c, t * d
+
+
+@st.composite
+def lifted_sequences(draw: st.DrawFn) -> tuple[list[Angle], Angle]:
+    """One period of an increasing sequence of angles, and the period: 90, 180 or 360 degrees.
+
+    Entries lie on a grid of 5 degrees or on directions of small integers; some are moved by
+    `TINY`. So differences of entries are often equal, or differ by `TINY` only.
+    """
+    degrees = draw(st.sampled_from([90, 180, 360]))
+    period = Angle.from_degrees(degrees)
+    grid = [Angle.from_degrees(5 * k) for k in range(degrees // 5)]
+    slopes = draw(st.lists(directions, max_size=8)).copy()
+    pool = grid + [Angle(0, p) for p in slopes if Angle(0, p) < period]
+    entries = set(draw(st.lists(st.sampled_from(pool), min_size=1, max_size=8)))
+    moved = draw(st.sets(st.sampled_from(sorted(entries))))
+    entries |= {entry + TINY for entry in moved if draw(st.booleans())}
+    shift = draw(st.sampled_from([Angle(0), Angle(2), Angle(-1, (3, 4)), Angle.from_degrees(71)]))
+    return sorted(entry + shift for entry in entries), period

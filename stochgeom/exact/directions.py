@@ -10,8 +10,9 @@ from __future__ import annotations
 from gmpy2 import isqrt, mpq, mpz
 
 from stochgeom.errors import InvalidArcError
-from stochgeom.exact.angles import HALF_TURN, QUARTER_TURN, Angle, make_angle
+from stochgeom.exact.angles import HALF_TURN, Angle, make_angle
 from stochgeom.exact.balls import START_BITS, Ball, rational_ball, working_precision
+from stochgeom.exact.predicates import half_plane
 
 _BITS = 16  # halves are right to about one part in 2**_BITS
 
@@ -66,13 +67,32 @@ def simplest_between(first: Angle, last: Angle) -> Angle:
     """
     if last < first:
         raise InvalidArcError(f"no angle from {first} to {last}; accepted: first <= last")
-    quarters = -(-first // QUARTER_TURN)  # the first multiple not below `first`
-    if QUARTER_TURN * quarters <= last:
-        return QUARTER_TURN * quarters
-    base = QUARTER_TURN * (quarters - 1)
-    (ax, ay), (bx, by) = (first - base).direction, (last - base).direction
+    # The quadrant of `first`, as a whole number of quarter turns and a rest in [0, 90) degrees.
+    quarters, ax, ay = _quadrant(first)
+    if ay == 0:
+        return first
+    last_quarters, bx, by = _quadrant(last)
+    if last_quarters > quarters:
+        return _turn_quarters(quarters + 1, mpz(1), mpz(0))
     slope = simplest_fraction(mpq(ay, ax), mpq(by, bx))
-    return base + make_angle(0, slope.denominator, slope.numerator)
+    return _turn_quarters(quarters, slope.denominator, slope.numerator)
+
+
+def _quadrant(angle: Angle) -> tuple[int, mpz, mpz]:
+    """Return k and a direction in [0, 90) degrees that, turned by k quarters, is the angle."""
+    x, y = angle.direction
+    k = 4 * int(angle.turn_part)
+    if half_plane(x, y):
+        k, x, y = k + 2, -x, -y
+    return (k, x, y) if x > 0 else (k + 1, y, -x)
+
+
+def _turn_quarters(quarters: int, x: mpz, y: mpz) -> Angle:
+    """Return the direction in [0, 90) degrees turned by whole quarters."""
+    turns, k = divmod(quarters, 4)
+    if k & 2:
+        x, y = -x, -y
+    return make_angle(turns, -y, x) if k & 1 else make_angle(turns, x, y)
 
 
 def simplest_fraction(low: mpq, high: mpq) -> mpq:

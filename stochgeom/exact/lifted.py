@@ -58,7 +58,9 @@ class LiftedAngles:
     def __getitem__(self, k: int) -> Angle:
         turn, place = divmod(int(k), len(self.base))
         angle = self.base[place]
-        return angle if turn == 0 else angle + self.period * turn
+        if turn == 0:
+            return angle
+        return angle + (self.period if turn == 1 else self.period * turn)
 
     @cached_property
     def _shadow(self) -> FloatArray:

@@ -42,6 +42,9 @@ class Turn(IntEnum):
     LEFT = 1
 
 
+_TURNS = (Turn.STRAIGHT, Turn.LEFT, Turn.RIGHT)  # by sign; -1 is the last
+
+
 def sign(value: Any) -> int:
     """Return -1, 0 or 1 for an exact number.
 
@@ -111,9 +114,9 @@ def orientation(p: HomogeneousPoint, q: HomogeneousPoint, r: HomogeneousPoint) -
     px, py, pw = p
     qx, qy, qw = q
     rx, ry, rw = r
-    return Turn(
+    return _TURNS[
         cross_sign(qx * pw - px * qw, qy * pw - py * qw, rx * pw - px * rw, ry * pw - py * rw)
-    )
+    ]
 
 
 def compare_points(p: HomogeneousPoint, q: HomogeneousPoint) -> int:
@@ -151,18 +154,10 @@ def cross_signs(ax: IntArray, ay: IntArray, bx: IntArray, by: IntArray) -> Signs
     >>> cross_signs(*np.array([[1, 2], [0, 1], [0, 4], [1, 2]]))
     array([1, 0], dtype=int8)
     """
-    if not fits_float(ax, ay, bx, by):
-        left, right = as_objects(ax) * as_objects(by), as_objects(ay) * as_objects(bx)
-        return (left > right).astype(np.int8) - (left < right).astype(np.int8)
-    left = ax.astype(np.float64) * by
-    right = ay.astype(np.float64) * bx
-    signs = (left > right).astype(np.int8) - (left < right).astype(np.int8)
-    # The float products decide wherever they differ; see the proof in the module docstring.
-    (tied,) = np.nonzero(signs == 0)
-    if tied.size:
-        difference = ax[tied] * by[tied] - ay[tied] * bx[tied]
-        signs[tied] = np.sign(difference)
-    return signs
+    if fits_float(ax, ay, bx, by):
+        return _signs_of_differences(ax, by, ay, bx)
+    ax, ay, bx, by = map(as_objects, (ax, ay, bx, by))
+    return _signs_of_objects(ax * by - ay * bx)
 
 
 def dot_signs(ax: IntArray, ay: IntArray, bx: IntArray, by: IntArray) -> Signs:
@@ -174,9 +169,24 @@ def dot_signs(ax: IntArray, ay: IntArray, bx: IntArray, by: IntArray) -> Signs:
     >>> dot_signs(*np.array([[1, 1], [0, 2], [0, 4], [1, -2]]))
     array([0, 0], dtype=int8)
     """
-    if not fits_float(bx, by):  # negating the least int64 would wrap
-        bx, by = as_objects(bx), as_objects(by)
-    return cross_signs(ax, ay, -by, bx)
+    if fits_float(ax, ay, bx, by):
+        return _signs_of_differences(ax, bx, -ay, by)
+    ax, ay, bx, by = map(as_objects, (ax, ay, bx, by))
+    return _signs_of_objects(ax * bx + ay * by)
+
+
+def _signs_of_differences(a: IntArray, b: IntArray, c: IntArray, d: IntArray) -> Signs:
+    """Return the signs of ``a b - c d`` for entries that `fits_float` lets pass."""
+    signs: Signs = np.sign(a.astype(np.float64) * b - c.astype(np.float64) * d).astype(np.int8)
+    # The float products decide wherever they differ; see the proof in the module docstring.
+    (tied,) = np.nonzero(signs == 0)
+    if tied.size:
+        signs[tied] = np.sign(a[tied] * b[tied] - c[tied] * d[tied])
+    return signs
+
+
+def _signs_of_objects(values: IntArray) -> Signs:
+    return (values > 0).astype(np.int8) - (values < 0).astype(np.int8)
 
 
 def half_planes(x: IntArray, y: IntArray) -> NDArray[np.bool_]:

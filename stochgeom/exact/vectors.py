@@ -143,6 +143,16 @@ class AngleVector(Sequence[Angle]):
             return AngleVector(as_objects(self.turn_parts) + turn + carry, x, y)
         return AngleVector(self.turn_parts + int(turn) + carry, x, y)
 
+    def equals(self, other: AngleVector) -> bool:
+        """Tell whether all entries are exactly equal.  O(n)."""
+        if len(self) != len(other):
+            return False
+        if self.turn_parts.dtype == object or other.turn_parts.dtype == object:
+            return self.angles == other.angles
+        ax, ay, bx, by = self.x, self.y, other.x, other.y
+        apart = _arguments_below(ax, ay, bx, by) | _arguments_below(bx, by, ax, ay)
+        return not (apart | (self.turn_parts != other.turn_parts)).any()
+
     # --- floats ----------------------------------------------------------------------------------
 
     @cached_property

@@ -98,12 +98,11 @@ class FeedingProblem:
         steps = length = 1
         while not self._is_last(length):
             length += 1
-            floor = TurnRatio(length + c, self.transfer.period, inverse=True)
-            if floor >= best:
-                break  # no plan of this length or more beats the best
             cost = self.expected_cost(length, c)
             if cost < best:
                 best, steps = cost, length
+            elif TurnRatio(length + 1 + c, self.transfer.period, inverse=True) >= best:
+                break  # no longer plan beats the best, however wide its preimage
         return self.plan_of(steps, c)
 
     def _is_last(self, steps: int) -> bool:

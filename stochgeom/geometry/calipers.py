@@ -73,8 +73,9 @@ def rotate_calipers(hull: ConvexHull) -> Calipers:
     gx, gy = ex[edge], -ey[edge]
     upper_half = half_planes(gx, gy)
     # Convexity: the directions pass the positive x axis once; start there.
-    start = int(np.nonzero(~upper_half & np.roll(upper_half, 1))[0][0])
-    edge, gx, gy = np.roll(edge, -start), np.roll(gx, -start), np.roll(gy, -start)
+    start = int(np.flatnonzero(~upper_half & upper_half[np.arange(n) - 1])[0])
+    turned = np.concatenate((np.arange(start, n), np.arange(start)))
+    edge, gx, gy = edge[turned], gx[turned], gy[turned]
     on_lower = n - int(np.count_nonzero(upper_half))
     gx[on_lower:] = -gx[on_lower:]
     gy[on_lower:] = -gy[on_lower:]

@@ -51,8 +51,8 @@ def convex_outline(points: Points) -> ConvexHull | None:
     """
     n = len(points)
     here = np.arange(n)
-    ex, ey = points.vectors(here, np.roll(here, -1))
-    before_x, before_y = np.roll(ex, 1), np.roll(ey, 1)
+    ex, ey = points.vectors(here, here - n + 1)  # negative indices count from the end
+    before_x, before_y = ex[here - 1], ey[here - 1]
     turns = cross_signs(before_x, before_y, ex, ey)
     left, right = bool((turns > 0).any()), bool((turns < 0).any())
     if left == right:  # turns both ways, or never
@@ -62,7 +62,7 @@ def convex_outline(points: Points) -> ConvexHull | None:
         return None  # folds back on itself
     # Turning one way only, the edges pass each half plane once for each winding.
     lower = half_planes(ex, ey)
-    if np.count_nonzero(lower != np.roll(lower, 1)) != 2:
+    if np.count_nonzero(lower != lower[here - 1]) != 2:
         return None
     corners = here[~straight]
     if right:
@@ -85,9 +85,9 @@ def convex_hull(points: Points) -> ConvexHull:
     order = _sorted_by_point(points, homogeneous)
     lower = _half_hull(order, homogeneous)
     upper = _half_hull(order[::-1], homogeneous)
-    corners = np.array(lower[:-1] + upper[:-1], dtype=np.intp)
-    start = int(np.argmin(corners))
-    corners = np.roll(corners, -start)
+    ring = lower[:-1] + upper[:-1]
+    start = ring.index(min(ring))
+    corners = np.array(ring[start:] + ring[:start], dtype=np.intp)
     return ConvexHull(points.take(corners), corners)
 
 
@@ -121,7 +121,7 @@ def _half_hull(order: list[int], points: list[HomogeneousPoint]) -> list[int]:
 def hull_edges(hull: ConvexHull) -> tuple[IntArray, IntArray]:
     """Return the counter-clockwise edge vectors, each up to a positive factor."""
     here = np.arange(len(hull))
-    return hull.points.vectors(here, np.roll(here, -1))
+    return hull.points.vectors(here, here - len(hull) + 1)
 
 
 def locate(hull: ConvexHull, point: tuple[Any, Any]) -> int:

@@ -30,7 +30,7 @@ _WORDS = {
 def without_repeats(points: Points) -> Indices:
     """Return the indices of vertices that differ from the vertex before, in cyclic order."""
     here = np.arange(len(points))
-    dx, dy = points.vectors(np.roll(here, 1), here)
+    dx, dy = points.vectors(here - 1, here)
     kept: Indices = here[((dx != 0) | (dy != 0)).astype(np.bool_)]
     return kept if len(kept) or not len(here) else here[:1]
 
@@ -40,7 +40,8 @@ def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
     rings, numbers = [], []
     for place, ring in enumerate((points, *holes)):
         kept = without_repeats(ring)
-        corners = [ring.homogeneous()[k] for k in kept]
+        homogeneous = ring.homogeneous()
+        corners = [homogeneous[k] for k in kept.tolist()]
         _check_ring(corners, None if place == 0 else f"hole {place - 1}")
         # Rings must share a scale to be compared with each other.
         rings.append([(x, y, w * ring.scale) for x, y, w in corners])
@@ -52,20 +53,20 @@ def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
 
 
 def _check_ring(corners: list[HomogeneousPoint], where: str | None) -> None:
-    distinct = {(mpq(x, w), mpq(y, w)) for x, y, w in corners}
-    if len(distinct) < 3:
+    # Two neighbours differ, so a third distinct corner shows up before long.
+    distinct: set[tuple[mpq, mpq]] = set()
+    for x, y, w in corners:
+        distinct.add((mpq(x, w), mpq(y, w)))
+        if len(distinct) == 3:
+            break
+    else:
         raise TooFewVerticesError(
             f"{len(distinct)} distinct vertices; accepted: at least 3", where=where
         )
-    first = corners[0]
-    second = next(
-        p
-        for p in corners
-        if mpq(p[0], p[2]) != mpq(first[0], first[2]) or mpq(p[1], p[2]) != mpq(first[1], first[2])
-    )
-    if all(orientation(first, second, p) is Turn.STRAIGHT for p in corners):
+    # Neighbours differ, so the first two corners span the only line all of them could lie on.
+    if all(orientation(corners[0], corners[1], p) is Turn.STRAIGHT for p in corners):
         raise CollinearOutlineError(
-            f"all {len(distinct)} distinct vertices lie on one line; "
+            f"all {len(corners)} vertices lie on one line; "
             "accepted: an outline that encloses an area",
             where=where,
         )
@@ -74,25 +75,31 @@ def _check_ring(corners: list[HomogeneousPoint], where: str | None) -> None:
 def _conflict_error(
     conflict: Conflict, numbers: list[Indices], rings: tuple[Points, ...]
 ) -> SelfIntersectionError | InvalidHoleError:
-    def name(ring: int, edge: int) -> str:
-        kept, points = numbers[ring], rings[ring]
-        tail, head = int(kept[edge]), int(kept[(edge + 1) % len(kept)])
-        owner = "" if ring == 0 else f" of hole {ring - 1}"
-        return f"edge {tail}{owner} from {_text(points.point(tail))} to {_text(points.point(head))}"
+    def number(ring: int, edge: int) -> int:
+        """Of repeated vertices the last begins the edge."""
+        kept = numbers[ring]
+        return (int(kept[(edge + 1) % len(kept)]) - 1) % len(rings[ring])
 
-    word = _WORDS[conflict.kind]
-    message = f"{name(*conflict.first)} and {name(*conflict.second)} {word}; "
-    edges = tuple(int(numbers[ring][edge]) for ring, edge in (conflict.first, conflict.second))
-    if conflict.first[0] == conflict.second[0] == 0:
+    def name(ring: int, edge: int) -> str:
+        points, k = rings[ring], number(ring, edge)
+        owner = "" if ring == 0 else f" of hole {ring - 1}"
+        ends = points.point(k), points.point((k + 1) % len(points))
+        return f"edge {k}{owner} from {_text(ends[0])} to {_text(ends[1])}"
+
+    first, second = sorted(
+        (conflict.first, conflict.second), key=lambda place: (place[0], number(*place))
+    )
+    message = f"{name(*first)} and {name(*second)} {_WORDS[conflict.kind]}; "
+    edges = number(*first), number(*second)
+    if first[0] == second[0] == 0:
         return SelfIntersectionError(
             message + "accepted: an outline that does not meet itself",
-            edges=(edges[0], edges[1]),
+            edges=edges,
             where=f"edges {edges[0]} and {edges[1]}",
         )
-    hole = max(conflict.first[0], conflict.second[0]) - 1
     return InvalidHoleError(
         message + "accepted: holes that meet neither themselves, each other nor the outline",
-        where=f"hole {hole}",
+        where=f"hole {second[0] - 1}",
     )
 
 

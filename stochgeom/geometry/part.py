@@ -10,7 +10,7 @@ import gmpy2
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import InputError, NotRationalError
+from stochgeom.errors import InputError, InvalidHoleError, NotRationalError
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.geometry.hull import ConvexHull, convex_hull, convex_outline, locate
 from stochgeom.geometry.outline import Mass, check_outline, mass_of, without_repeats
@@ -61,7 +61,7 @@ class Part:
     ) -> None:
         self._points = Points.from_pairs(vertices)
         self._holes = tuple(
-            Points.from_pairs(ring, f"hole {k}, vertex") for k, ring in enumerate(holes)
+            Points.from_pairs(ring, f"hole {k}, vertex") for k, ring in enumerate(_listed(holes))
         )
         self._given_center = (
             None if center_of_mass is None else as_point(center_of_mass, "center of mass")
@@ -218,6 +218,15 @@ class Part:
         if self._holes:
             words.append(f"holes=[{', '.join(_points_text(hole) for hole in self.holes)}]")
         return f"Part({', '.join(words)})"
+
+
+def _listed(holes: Iterable[Iterable[PointLike]]) -> list[Iterable[PointLike]]:
+    try:
+        return list(holes)
+    except TypeError:
+        raise InvalidHoleError(
+            f"{holes!r:.60} is not a list of holes; accepted: lists of vertices", where="holes"
+        ) from None
 
 
 def _points_text(points: Iterable[Point]) -> str:

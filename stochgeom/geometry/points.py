@@ -28,6 +28,9 @@ PointLike: TypeAlias = "Sequence[RationalLike]"
 _INT64_LIMIT: Final = 2**52
 """Below this the difference of two coordinates is exact in float64 as well as in int64."""
 
+_NO_PAIRS: Final = (str, bytes, set, frozenset, dict)
+"""May hold two things, and are no (x, y)."""
+
 
 @final
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,7 +153,7 @@ def _listed(pairs: Iterable[PointLike], what: str) -> list[PointLike]:
 
 
 def _pair(value: PointLike, where: str) -> Point:
-    if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 2:
+    if isinstance(value, _NO_PAIRS) or not hasattr(value, "__len__") or len(value) != 2:
         raise NumberError(
             f"{value!r:.60} is not a pair of numbers; accepted: (x, y) with exact x and y",
             where=where,

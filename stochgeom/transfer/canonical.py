@@ -10,10 +10,10 @@ from collections.abc import Hashable, Sequence
 
 import numpy as np
 from gmpy2 import mpq
+from numpy.typing import NDArray
 
 from stochgeom.errors import InvalidStepFunctionError
 from stochgeom.exact.angles import ZERO, Angle
-from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.predicates import Signs
 from stochgeom.exact.vectors import AngleVector
 
@@ -47,24 +47,33 @@ def canonical_steps(
     O(m) for functions whose angles are rational directions, where only 1, 2, 4 and 8 periods to
     a full turn come into question; O(m) for each divisor of m otherwise.
     """
-    _check_increasing(breaks, values, period)
-    breaks, values = _merge_equal(breaks, values, period)
+    rises = _check_increasing(breaks, values, period)
+    if not rises.all():
+        # Break k stays if the value rises from step k - 1 to step k.
+        keep = np.roll(rises, 1)
+        breaks, values = breaks.take(keep), values.take(keep)
     breaks, values = _into_period(breaks, values, period)
-    m = len(breaks)
+    m, order = len(breaks), full_turn_share(period)
+    # Rational directions differ by multiples of an eighth of a turn or by irrational turns.
+    directions_only = breaks.turn_parts.dtype != object
     # The smallest period cuts m into the most equal words; try many words first.
-    for count in _divisors(m):
-        share = Angle.from_turns(mpq(1, full_turn_share(period) * count))
+    for count in _divisors(m)[:-1]:
+        if directions_only and 8 % (order * count):
+            continue
+        share = Angle.from_turns(mpq(1, order * count))
         step = m // count
         if _repeats(breaks, period, step, share) and _repeats(values, period, step, share):
             return breaks.take(slice(step)), values.take(slice(step)), share
-    raise AssertionError("one word always repeats")  # pragma: no cover
+    return breaks, values, period
 
 
-def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -> None:
+def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -> NDArray[np.bool_]:
+    """Raise unless breaks increase and values do not decrease; tell where values rise."""
     if not len(breaks) or len(breaks) != len(values):
         raise InvalidStepFunctionError(
             f"{len(breaks)} breaks and {len(values)} values; accepted: as many, at least one"
         )
+    signs = np.empty(0, dtype=np.int8)
     for vector, what, least in ((breaks, "break", 1), (values, "value", 0)):
         signs = neighbour_signs(vector, period)
         (bad,) = np.nonzero(signs < least)
@@ -80,26 +89,20 @@ def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -
                 + ("strictly increasing breaks" if least else "values that do not decrease"),
                 where=f"{what} {k}",
             )
+    return signs > 0
 
 
 def neighbour_signs(vector: AngleVector, period: Angle) -> Signs:
     """Return the sign of a_{k+1} - a_k for k in [0, m), with a_m = a_0 + period."""
-    lifted = AngleVector.concatenate([vector, AngleVector.from_angles([vector[0] + period])])
-    gaps = np.diff(lifted.shadow)
-    signs = np.sign(gaps).astype(np.int8)
-    # Two shadows and one rounding; what is closer is decided by exact angles.
-    for k in np.nonzero(np.abs(gaps) <= 3 * lifted.error)[0].tolist():
-        signs[k] = lifted[k + 1].compare(lifted[k])
+    shadow, n = vector.shadow, len(vector)
+    gaps = np.append(shadow[1:], shadow[0] + period.to_float()) - shadow
+    signs: Signs = np.sign(gaps).astype(np.int8)
+    # Two shadows, a period and two roundings, all below three times the error of a shadow; what
+    # is closer is decided by exact angles.
+    for k in np.flatnonzero(np.abs(gaps) <= 3 * vector.error).tolist():
+        follower = vector[k + 1] if k + 1 < n else vector[0] + period
+        signs[k] = follower.compare(vector[k])
     return signs
-
-
-def _merge_equal(
-    breaks: AngleVector, values: AngleVector, period: Angle
-) -> tuple[AngleVector, AngleVector]:
-    """Drop every break across which the value does not change."""
-    rises = neighbour_signs(values, period) > 0
-    keep = np.roll(rises, 1)  # break k stays if the value rises from step k - 1 to step k
-    return (breaks, values) if keep.all() else (breaks.take(keep), values.take(keep))
 
 
 def _into_period(
@@ -128,10 +131,10 @@ def _divisors(m: int) -> list[int]:
 
 def _repeats(vector: AngleVector, period: Angle, step: int, share: Angle) -> bool:
     """Tell whether a_{k+step} = a_k + share for all k."""
-    lifted = LiftedAngles(vector, period)
-    if lifted[step] != vector[0] + share:
+    if vector[step] != vector[0] + share:
         return False  # settles nearly every candidate
-    return all(lifted[k + step] == vector[k] + share for k in range(1, len(vector)))
+    ahead = [vector.take(slice(step, None)), vector.take(slice(step)).rotate(period)]
+    return AngleVector.concatenate(ahead).equals(vector.rotate(share))
 
 
 def find_rotation(word: Sequence[Hashable], target: Sequence[Hashable]) -> int | None:

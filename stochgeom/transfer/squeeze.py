@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from stochgeom.exact.angles import HALF_TURN
@@ -43,9 +44,10 @@ def squeeze_function(
     """
     diameter = part if isinstance(part, DiameterFunction) else DiameterFunction(as_part(part))
     breaks, minima = diameter.maxima, diameter.minima
-    # Maxima and minima alternate; the value of a break is the minimum that follows it.
+    # Maxima and minima alternate; the value of a break is the minimum that follows it. Half a
+    # turn on, a direction is reversed.
     if minima[0] < breaks[0]:
-        minima = AngleVector.concatenate(
-            [minima.take(slice(1, None)), minima.take(slice(1)).rotate(HALF_TURN)]
-        )
+        x, y = minima.x, minima.y
+        x, y = np.append(x[1:], -x[0]), np.append(y[1:], -y[0])
+        minima = AngleVector.from_directions(x, y)
     return StepFunction(breaks, minima, HALF_TURN)
