@@ -7,56 +7,74 @@ Exit code 0 done, 1 a check failed or no plan, 2 bad input. Errors go to stderr 
 from __future__ import annotations
 
 import argparse
-import json
+import contextlib
 import os
 import re
 import sys
 from collections.abc import Sequence
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import stochgeom.errors as errors
 from stochgeom.cli import parts_command, plan_command, table_command
+from stochgeom.cli.output import write_json
+from stochgeom.io.rings import showable
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 _COMMANDS = (plan_command, table_command, parts_command)
 
 # Options whose value may begin with a minus: argparse would take "-1,2" for an option.
-_SIGNED_VALUE = re.compile(r"-[0-9.]")
+_SIGNED_VALUE = re.compile(r"-(?:[0-9.]|inf|nan)", re.IGNORECASE)
+
+_LONGEST_LINE = 1000  # a path or a list of vertices may be longer
+
+_ABOUT_ARGUMENT = re.compile(r"argument ([^:]+): (.*)", re.DOTALL)
 
 
-class _UsageError(Exception):
+class UsageError(errors.InputError):
     """What argparse found wrong with the arguments."""
 
 
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, **settings: Any) -> None:
+        # An abbreviated option would change its meaning once another begins alike.
+        super().__init__(**settings, allow_abbrev=False)
+
     def error(self, message: str) -> NoReturn:
-        raise _UsageError(f"{message}; see {self.prog} --help")
+        about = _ABOUT_ARGUMENT.fullmatch(message)
+        where, what = about.groups() if about else (None, message)
+        raise UsageError(f"{what}; see {self.prog} --help", where=where)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command and return its exit code."""
     arguments = list(sys.argv[1:] if argv is None else argv)
-    wants_json = "--json" in arguments
+    try:
+        code = _run(arguments)
+        if sys.stdout is not None:  # None: closed by whoever started the program
+            sys.stdout.flush()
+        return code
+    except BrokenPipeError:  # the reader has seen enough
+        _abandon_output()
+        return EXIT_DONE
+    except OSError as error:  # what is read has its own errors, so this is the output
+        _abandon_output()
+        _complain(f"standard output: cannot be written: {error.strerror or error}")
+        return EXIT_FAILED
+    except KeyboardInterrupt:
+        _complain("interrupted")
+        return EXIT_INTERRUPTED
+
+
+def _run(arguments: Sequence[str]) -> int:
     try:
         parsed = build_parser().parse_args(join_signed_values(arguments))
         code: int = parsed.run(parsed)
-        sys.stdout.flush()
         return code
-    except _UsageError as error:
-        return _report("UsageError", str(error), None, str(error), wants_json)
+    except SystemExit as stop:  # argparse has printed the help or the version
+        return int(stop.code or EXIT_DONE)
     except errors.StochgeomError as error:
-        failed = isinstance(error, errors.VerificationError)
-        code = EXIT_FAILED if failed else EXIT_BAD_INPUT
-        name = type(error).__name__
-        return _report(name, error.message, error.where, str(error), wants_json, code)
-    except BrokenPipeError:
-        # The reader went away; keep the interpreter from complaining when it flushes.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return EXIT_DONE
-    except KeyboardInterrupt:
-        print("stochgeom: interrupted", file=sys.stderr)
-        return EXIT_INTERRUPTED
+        return _report(error, wants_json="--json" in arguments)
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -86,26 +104,37 @@ def join_signed_values(arguments: Sequence[str]) -> list[str]:
     joined: list[str] = []
     for argument in arguments:
         previous = joined[-1] if joined else ""
-        if _SIGNED_VALUE.match(argument) and previous.startswith("--") and "=" not in previous:
+        is_option = previous.startswith("--") and previous != "--" and "=" not in previous
+        if is_option and _SIGNED_VALUE.match(argument):
             joined[-1] = f"{previous}={argument}"
         else:
             joined.append(argument)
     return joined
 
 
-def _report(
-    kind: str,
-    message: str,
-    where: str | None,
-    line: str,
-    wants_json: bool,
-    code: int = EXIT_BAD_INPUT,
-) -> int:
-    print(f"stochgeom: {' '.join(line.split())}", file=sys.stderr)
+def _report(error: errors.StochgeomError, *, wants_json: bool) -> int:
+    _complain(str(error))
     if wants_json:
-        document = {"error": {"type": kind, "message": message, "where": where}}
-        print(json.dumps(document, ensure_ascii=False))
-    return code
+        kind = type(error).__name__
+        detail = {"type": kind, "message": error.message, "where": error.where}
+        write_json({"error": detail}, indent=None)
+    return EXIT_BAD_INPUT if isinstance(error, errors.InputError) else EXIT_FAILED
+
+
+def _complain(text: str) -> None:
+    """Print one line on stderr, without characters that a terminal would obey."""
+    line = showable(" ".join(text.split()))
+    if len(line) > _LONGEST_LINE:
+        half = _LONGEST_LINE // 2
+        line = f"{line[:half]} [...] {line[-half:]}"
+    if sys.stderr is not None:  # print would take None for stdout
+        print(f"stochgeom: {line}", file=sys.stderr)
+
+
+def _abandon_output() -> None:
+    """Keep the interpreter from flushing, when it ends, what could not be written."""
+    with contextlib.suppress(OSError):  # a stand-in for stdout may have no file
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 if __name__ == "__main__":

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
 from typing import Any
 
 from stochgeom.cli.layout import table
+from stochgeom.cli.output import write, write_json
 from stochgeom.exact.scalars import rational_text
 from stochgeom.geometry.points import Point
 from stochgeom.io.plan_json import part_json
@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
             "schema": "stochgeom/parts/1",
             "parts": [part_json(entry.part) for entry in entries],
         }
-        print(json.dumps(document, indent=1))
+        write_json(document)
         return 0
     rows = [
         [
@@ -44,7 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
         ]
         for entry in entries
     ]
-    print(
+    write(
         table(["part", "vertices", "on hull", "centre of mass", "chosen as"], rows, left=[0, 3, 4])
     )
     return 0

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import json
 from typing import Any
 
+from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_text import plan_text
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import FormatError, InputError
-from stochgeom.exact.decimals import check_digits
 from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.geometry.part import Part
 from stochgeom.io.load import load_part, part_of
@@ -47,16 +47,14 @@ def add_parser(commands: Any) -> None:
         metavar="C",
         help="cost of the filter over the cost of an action, a rational >= 0; default 1",
     )
-    parser.add_argument(
-        "--digits", type=int, default=4, metavar="N", help="decimals after the point; default 4"
-    )
+    add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Plan, print, return the exit code."""
-    check_digits(arguments.digits)
+    digits = read_digits(arguments.digits)
     problem = FeedingProblem(read_part(arguments), arguments.action)
     optimal = problem.optimal_plan(arguments.cost_ratio)  # refuses a bad ratio before the work
     with Progress("phase I: width of the last preimage, of a period") as progress:
@@ -64,10 +62,9 @@ def run(arguments: argparse.Namespace) -> int:
             progress.show(float(problem.probability(preimage.steps)) * problem.transfer.order)
     geometric = problem.geometric_plan(arguments.cost_ratio)
     if arguments.json:
-        document = plan_document(problem, optimal, geometric, arguments.digits)
-        print(json.dumps(document, indent=1, ensure_ascii=False))
+        write_json(plan_document(problem, optimal, geometric, digits))
     else:
-        print(plan_text(problem, optimal, geometric, arguments.digits))
+        write(plan_text(problem, optimal, geometric, digits))
     return 0
 
 
@@ -80,8 +77,8 @@ def read_part(arguments: argparse.Namespace) -> Part:
         If neither or both are given.
     """
     if (arguments.source is None) == (arguments.vertices is None):
-        given = "neither" if arguments.source is None else "both"
-        raise InputError(f"{given} SOURCE and --vertices given; accepted: one of them")
+        given = "neither SOURCE nor" if arguments.source is None else "both SOURCE and"
+        raise InputError(f"{given} --vertices given; accepted: one of them")
     if arguments.vertices is None:
         return load_part(arguments.source, center_of_mass=arguments.center_of_mass)
     if not arguments.vertices.strip():

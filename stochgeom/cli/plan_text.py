@@ -34,9 +34,9 @@ def plan_text(
             _plan_block("Shortest plan that orients the part up to symmetry", geometric, digits)
         )
     blocks.append(_costs_block(problem, optimal, digits))
-    blocks.append(sentence(optimal))
+    blocks.append(_summary(optimal))
     if not same:
-        blocks.append(sentence(geometric))
+        blocks.append(_summary(geometric))
     return "\n\n".join(blocks)
 
 
@@ -60,20 +60,22 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
 
 
 def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
-    steps = range(1, plan.steps + 1)
+    shown = {step for step in _shown(range(1, plan.steps + 1)) if step is not None}
     rows = []
-    for step in _shown(list(steps)):
-        if step is None:
-            rows.append(["...", "", "", "", ""])
+    for step, (action, outcome) in enumerate(
+        zip(plan.actions, plan.outcomes(), strict=True), start=1
+    ):
+        if step not in shown:
+            if step - 1 in shown:
+                rows.append(["...", "", "", "", ""])
             continue
-        action, state = plan.actions[step - 1], plan.distribution(step)
         rows.append(
             [
                 str(step),
                 "random" if action.low is None else action.angle.degrees(digits),
                 _range_text(action, digits),
-                str(len(state)),
-                state.probability(state.most_likely()).decimal(digits),
+                str(len(outcome)),
+                outcome.most_likely().decimal(digits),
             ]
         )
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
@@ -98,7 +100,9 @@ def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str
         probability = problem.probability(steps).decimal(digits)
         rows.append([str(steps), preimage.width.degrees(digits), probability, cost + best])
     header = ["steps", "collapsed arc", "probability", "expected cost"]
-    title = f"Best plan of each length (filter cost {rational_text(plan.cost_ratio)} per action)"
+    times = "time" if plan.cost_ratio == 1 else "times"
+    price = f"{rational_text(plan.cost_ratio)} {plan.action_name} {times}"
+    title = f"Best plan of each length (a filter pass costs {price})"
     width = max(len(row[3].removesuffix(" <- least")) for row in rows)
     for row in rows:
         number, mark, rest = row[3].partition(" <- ")
@@ -130,11 +134,25 @@ def sentence(plan: FeedingPlan) -> str:
             f"{actions} {verb} this part into one orientation with probability "
             f"{plan.probability.decimal(4)}"
         )
+    passes = "" if plan.cost_ratio == 1 else f" at {rational_text(plan.cost_ratio)} each"
     rounds = TurnRatio(mpq(1), plan.mouth.width, inverse=True)
     each = TurnRatio(mpq(plan.steps), plan.mouth.width, inverse=True)
     return (
         f"{what}; expected cost {plan.expected_cost.decimal(2)} {plan.action_name} times: "
-        f"{_amount(each, plan.action_name)} and {_amount(rounds, 'filter pass')}."
+        f"{_amount(each, plan.action_name)} and {_amount(rounds, 'filter pass')}{passes}."
+    )
+
+
+def _summary(plan: FeedingPlan) -> str:
+    """Return the sentence, and a second one for who takes any of the equivalent orientations."""
+    order = plan.transfer.order
+    if order == 1:
+        return sentence(plan)
+    cost = plan.expected_cost_up_to_symmetry.decimal(2)
+    which = "either of the 2" if order == 2 else f"any of the {order}"
+    return (
+        f"{sentence(plan)}\nIf the filter accepts {which} equivalent orientations: "
+        f"{cost} {plan.action_name} times."
     )
 
 

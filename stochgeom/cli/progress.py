@@ -27,7 +27,7 @@ class Progress:
 
     def __init__(self, label: str) -> None:
         self._label = label
-        self._enabled = sys.stderr.isatty()
+        self._enabled = sys.stderr is not None and sys.stderr.isatty()
         self._next = time.monotonic() + DELAY
         self._shown = False
 

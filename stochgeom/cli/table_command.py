@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 from typing import Any
 
 from stochgeom.cli.layout import table
-from stochgeom.exact.decimals import check_digits
+from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.output import write, write_json
 from stochgeom.thesis.tables import STEPS, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
@@ -21,22 +21,19 @@ def add_parser(commands: Any) -> None:
         description="Print a table of Goldberg (1990), computed and printed values side by side.",
     )
     parser.add_argument("number", choices=sorted(_TABLES), metavar="NUMBER", help="4.1")
-    parser.add_argument(
-        "--digits", type=int, default=4, metavar="N", help="decimals after the point; default 4"
-    )
+    add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a stochgeom/table/1 document")
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; exit code 1 if a cell differs that no erratum explains."""
-    check_digits(arguments.digits)
+    digits = read_digits(arguments.digits)
     rows = _TABLES[arguments.number]()
     if arguments.json:
-        document = table_document(arguments.number, rows, arguments.digits)
-        print(json.dumps(document, indent=1, ensure_ascii=False))
+        write_json(table_document(arguments.number, rows, digits))
     else:
-        print(table_text(arguments.number, rows, arguments.digits))
+        write(table_text(arguments.number, rows, digits))
     unexplained = [c for row in rows for c in row.cells if not c.agrees and c.erratum is None]
     return 1 if unexplained else 0
 
@@ -47,27 +44,27 @@ def table_text(number: str, rows: tuple[Row, ...], digits: int) -> str:
     for row in rows:
         cells = []
         for steps, cell in zip(STEPS, row.cells, strict=True):
-            mark = " "
+            mark = ""
             if not cell.agrees:
                 notes.append(cell.erratum)
-                mark = str(len(notes))
+                mark = f"({len(notes)})"
             best = "*" if steps == row.best else " "
-            cells.append(f"{cell.computed.decimal(digits)}{best} [{cell.printed:>4}]{mark}")
+            cells.append(f"{cell.computed.decimal(digits)}{best} [{cell.printed:>4}]{mark:3}")
         lines.append([row.name, str(row.sides), *cells])
     header = ["part", "sides", *(f"{steps}-step" for steps in STEPS)]
     text = [
         f"Table {number}: expected cost of the best plans of 1 to 4 squeezes, filter cost 1",
-        "computed [printed]; * least cost; a number marks a printed value that does not hold",
+        "computed [printed]; * is the least cost; a note tells why a printed value does not hold",
         "",
         table(header, lines, left=[0]),
     ]
     for place, note in enumerate(notes, start=1):
         if note is None:
-            text.append(f"\n{place}: differs, and no erratum explains it")
+            text.append(f"\n({place}) differs, and no erratum explains it")
         else:
             text.append(
-                f"\n{place}: {note.where}: printed {note.printed}; what holds: {note.holds}, "
-                f"because {note.reason}."
+                f"\n({place}) {note.where}: printed {note.printed}; what holds: {note.holds}; "
+                f"{note.reason}."
             )
     return "\n".join(text)
 

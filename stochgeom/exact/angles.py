@@ -16,6 +16,7 @@ angles of the first kind are compared by turns, half plane and cross product; a 
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import total_ordering
 from typing import TYPE_CHECKING, Any, Final, final
 
@@ -23,18 +24,24 @@ from gmpy2 import divexact, gcd, mpq, mpz
 
 from stochgeom.errors import InputError, InvalidAngleError, NumberLimitError
 from stochgeom.exact.balls import (
-    START_BITS,
     Ball,
     argument_ball,
+    certified_float,
+    floor_estimate,
     full_turn_ball,
     rational_ball,
     sign_by_refinement,
-    working_precision,
 )
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
-from stochgeom.exact.eighths import eighths_of, fold
+from stochgeom.exact.eighths import eighths_of, fold, octant_of, turn_eighths
 from stochgeom.exact.predicates import compare_arguments
-from stochgeom.exact.scalars import RationalLike, common_denominator, rational, rational_text
+from stochgeom.exact.scalars import (
+    RationalLike,
+    common_denominator,
+    integer_literal,
+    rational,
+    rational_text,
+)
 
 if TYPE_CHECKING:
     import sympy
@@ -83,6 +90,8 @@ class Angle:
         direction: tuple[RationalLike, RationalLike] = (1, 0),
     ) -> None:
         t = rational(turn_part, where="turn part of an angle")
+        if not _is_pair(direction):
+            raise InvalidAngleError(f"direction {direction!r}; accepted: a pair of numbers")
         x, y = (rational(value, where="direction of an angle") for value in direction)
         if x == 0 and y == 0:
             raise InvalidAngleError("direction (0, 0) has no angle; accepted: any other vector")
@@ -185,20 +194,17 @@ class Angle:
     def to_float(self) -> float:
         """Return the angle in radians as a float, within one unit in the last place.
 
+        Raises
+        ------
+        NumberLimitError
+            For an angle beyond the largest float.
+
         Examples
         --------
         >>> Angle(0, (0, 1)).to_float()
         1.5707963267948966
         """
-        if not self:
-            return 0.0
-        bits = 2 * START_BITS
-        while True:
-            with working_precision(bits):
-                ball = self.ball() * full_turn_ball()
-                if ball.rel_accuracy_bits() >= 60:
-                    return float(ball)
-            bits *= 2
+        return certified_float(lambda: self.ball() * full_turn_ball()) if self else 0.0
 
     def to_sympy(self) -> sympy.Expr:
         """Return the angle in radians as an exact sympy expression.
@@ -247,28 +253,28 @@ class Angle:
         exact = self.rational_turns
         if exact is not None:
             return make_angle(exact * n, mpz(1), mpz(0))
-        bits = abs(n) * max(self._x.bit_length(), self._y.bit_length())
-        if bits > MAX_MULTIPLE_BITS:
+        if abs(n) * max(self._x.bit_length(), self._y.bit_length()) > MAX_MULTIPLE_BITS:
             raise NumberLimitError(
-                f"{n} times {self} has a direction of {bits} bits; "
-                f"accepted: at most {MAX_MULTIPLE_BITS} (sign_of_form compares large multiples)"
+                f"{rational_text(n):.20} times {self}; accepted: directions of at most "
+                f"{MAX_MULTIPLE_BITS} bits (sign_of_form compares large multiples)"
             )
-        total, power = ZERO, self if n >= 0 else -self
-        for bit in reversed(bin(abs(n))[2:]):
+        total, step = ZERO, self if n >= 0 else -self
+        for bit in bin(abs(n))[2:]:
+            total += total
             if bit == "1":
-                total += power
-            power += power
+                total += step
         return total
 
     __rmul__ = __mul__
 
     def __divmod__(self, period: Angle) -> tuple[int, Angle]:
         """Return (n, rest) with self = n period + rest and 0 <= rest < period."""
-        if period is FULL_TURN and type(self._t) is int:
-            return self._t, make_angle(0, self._x, self._y)
+        share = _EIGHTHS.get(period)
+        if share is not None and type(self._t) is int:
+            return self._divmod_eighths(share)
         if period <= ZERO:
             raise InputError(f"period {period}; accepted: positive angles")
-        count = _floor_estimate(self, period)
+        count = floor_estimate(self.ball, period.ball, int(abs(self._t)).bit_length())
         rest = self - period * count
         # The estimate only proposes; these exact comparisons decide.
         while rest < ZERO:
@@ -276,6 +282,13 @@ class Angle:
         while rest >= period:
             count, rest = count + 1, rest - period
         return count, rest
+
+    def _divmod_eighths(self, share: int) -> tuple[int, Angle]:
+        """Divide a rational direction by 1, 2, 4 or 8 eighths of a turn."""
+        octant = octant_of(self._x, self._y)
+        count = (8 * self._t + octant) // share
+        x, y = turn_eighths(self._x, self._y, -(octant - octant % share) % 8)
+        return count, make_angle(0, x, y)
 
     def __floordiv__(self, period: Angle) -> int:
         return divmod(self, period)[0]
@@ -335,8 +348,8 @@ class Angle:
         return Angle, (self.turn_part, self.direction)
 
     def __repr__(self) -> str:
-        t = repr(self._t) if type(self._t) is int else repr(rational_text(self._t))
-        return f"Angle({t}, ({_literal(self._x)}, {_literal(self._y)}))"
+        t = integer_literal(self._t) if type(self._t) is int else repr(rational_text(self._t))
+        return f"Angle({t}, ({integer_literal(self._x)}, {integer_literal(self._y)}))"
 
     def __str__(self) -> str:
         return f"{self.degrees(4)}°"
@@ -371,21 +384,8 @@ def _fill(angle: Angle, t: Any, x: Any, y: Any) -> None:
     _set_y(angle, y)
 
 
-def _floor_estimate(angle: Angle, period: Angle) -> int:
-    """Propose floor(angle / period); the caller's exact comparisons correct it."""
-    bits = START_BITS + int(abs(angle._t)).bit_length()
-    while True:
-        with working_precision(bits):
-            ratio = angle.ball() / period.ball()
-            if ratio.is_finite() and ratio.rad() < 1:
-                return int(ratio.mid().floor().unique_fmpz())
-        bits *= 2
-
-
-def _literal(value: mpz) -> str:
-    """Return an integer literal, or text where Python refuses so long a literal."""
-    text = str(value)
-    return text if len(text) <= 4000 else repr(text)
+def _is_pair(value: object) -> bool:
+    return isinstance(value, Collection) and not isinstance(value, str) and len(value) == 2
 
 
 ZERO: Final = Angle(0, (1, 0))
@@ -393,3 +393,5 @@ EIGHTH_TURN: Final = Angle(0, (1, 1))
 QUARTER_TURN: Final = Angle(0, (0, 1))
 HALF_TURN: Final = Angle(0, (-1, 0))
 FULL_TURN: Final = Angle(1, (1, 0))
+
+_EIGHTHS: Final = {EIGHTH_TURN: 1, QUARTER_TURN: 2, HALF_TURN: 4, FULL_TURN: 8}

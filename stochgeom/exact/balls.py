@@ -7,6 +7,7 @@ an undecided comparison is False both ways.
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,7 +16,7 @@ from typing import Any, Final, TypeAlias
 import flint
 from gmpy2 import mpq
 
-from stochgeom.errors import PrecisionLimitError
+from stochgeom.errors import NumberLimitError, PrecisionLimitError
 
 Ball: TypeAlias = "Any"
 """A real ball, `flint.arb`; python-flint ships no complete type information."""
@@ -89,3 +90,40 @@ def sign_by_refinement(enclose: Callable[[], Ball], start: int = START_BITS) -> 
             return sign
         bits *= 2
     raise PrecisionLimitError(f"a sign is still undecided at {MAX_BITS} bits")
+
+
+def certified_float(enclose: Callable[[], Ball]) -> float:
+    """Return a number known not to be zero as a float, within one unit in the last place.
+
+    Raises
+    ------
+    NumberLimitError
+        For a number beyond the largest float.
+
+    Examples
+    --------
+    >>> certified_float(flint.arb.pi)
+    3.141592653589793
+    """
+    bits = 2 * START_BITS
+    while True:
+        with working_precision(bits):
+            ball = enclose()
+            if ball.rel_accuracy_bits() >= 60:
+                break
+        bits *= 2
+    value = float(ball)
+    if math.isinf(value):
+        raise NumberLimitError("the number is too large for a float; accepted: below 1.79e308")
+    return value
+
+
+def floor_estimate(top: Callable[[], Ball], bottom: Callable[[], Ball], bits: int) -> int:
+    """Propose floor(top / bottom) for a quotient of about 2**bits, right to one either way."""
+    precision = START_BITS + bits
+    while True:
+        with working_precision(precision):
+            ratio = top() / bottom()
+            if ratio.is_finite() and ratio.rad() < 1:
+                return int(ratio.mid().floor().unique_fmpz())
+        precision *= 2

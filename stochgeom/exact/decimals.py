@@ -8,7 +8,9 @@ shrinks until the digits agree.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
+from typing import SupportsIndex
 
 import flint
 from gmpy2 import f_divmod, mpq, mpz
@@ -28,7 +30,7 @@ def rational_decimal(value: mpq | int, digits: int) -> str:
     >>> rational_decimal(mpq(2, 3), 4), rational_decimal(mpq(1, 8), 2), rational_decimal(5, 0)
     ('0.6667', '0.12', '5')
     """
-    check_digits(digits)
+    digits = check_digits(digits)
     scaled = mpq(value) * mpz(10) ** digits
     whole, rest = f_divmod(scaled.numerator, scaled.denominator)
     twice = 2 * rest
@@ -59,7 +61,7 @@ def certified_decimal(enclose: Callable[[], Ball], digits: int) -> str:
     >>> certified_decimal(lambda: flint.arb.pi(), 5)
     '3.14159'
     """
-    check_digits(digits)
+    digits = check_digits(digits)
     bits = START_BITS + 4 * digits
     scale = 10**digits
     while bits <= MAX_BITS:
@@ -71,10 +73,15 @@ def certified_decimal(enclose: Callable[[], Ball], digits: int) -> str:
     raise PrecisionLimitError(f"{digits} decimals are still undecided at {MAX_BITS} bits")
 
 
-def check_digits(digits: int) -> None:
-    """Refuse a number of decimals that is negative or absurd."""
-    if not 0 <= digits <= MAX_DIGITS:
-        raise InputError(f"digits = {digits}; accepted: whole numbers from 0 to {MAX_DIGITS}")
+def check_digits(digits: SupportsIndex) -> int:
+    """Return a number of decimals as an int; refuse what is negative, absurd or no whole number."""
+    try:
+        count = operator.index(digits)  # powers of ten in numpy's integers would wrap
+    except TypeError:
+        count = -1
+    if not 0 <= count <= MAX_DIGITS:
+        raise InputError(f"digits = {digits!r}; accepted: whole numbers from 0 to {MAX_DIGITS}")
+    return count
 
 
 def _place_point(scaled: mpz, digits: int) -> str:

@@ -54,6 +54,17 @@ def octant(x: Any, y: Any) -> tuple[int, Any, Any]:
     return k, x, y
 
 
+def octant_of(x: Any, y: Any) -> int:
+    """Return floor(arg(x + i y) / 45 degrees), 0 to 7.
+
+    Examples
+    --------
+    >>> octant_of(3, 2), octant_of(1, 1), octant_of(1, -5)
+    (0, 1, 6)
+    """
+    return octant(x, y)[0]
+
+
 def eighths_of(x: Any, y: Any) -> int | None:
     """Return k if arg(x + i y) is k eighths of a turn, else None.
 

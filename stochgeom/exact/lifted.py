@@ -1,4 +1,4 @@
-"""Periodic increasing sequences of angles, and the two questions phase I asks of them.
+"""Periodic increasing sequences of angles, and what planners ask of them, array by array.
 
 A `LiftedAngles` stands for the bi-infinite sequence a_k with a_{k+m} = a_k + T, given by one
 period a_0 < ... < a_{m-1} and T. It owns the float64 shadow, its error bound and the exact
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.vectors import AngleVector, FloatArray
+from stochgeom.exact.vectors import ERROR_PER_TURN, AngleVector, FloatArray
 
 Indices = NDArray[np.intp]
 
@@ -46,9 +46,12 @@ class LiftedAngles:
 
     def __init__(self, base: AngleVector, period: Angle, *, error: float | None = None) -> None:
         self.base, self.period = base, period
-        # Two periods hold every index asked for; adding T and 2 T to a shadow, with their own
-        # rounding, at most doubles the bound of the base.
-        self.error = 2 * base.error if error is None else error
+        # Two periods hold every index asked for. For T of t whole turns and a rest, the floats of
+        # T and 2 T and the rounding of a sum are off by 3 (t + 1) 2**-49 and an eighth of the
+        # base's bound at most: below that bound, which is 2**-46 or more, and 4 t 2**-47.
+        self._turns = int(period.turn_part)
+        proven = 2 * base.error + 4 * self._turns * ERROR_PER_TURN
+        self.error = proven if error is None else error
         self.exact_decisions = 0
 
     def __len__(self) -> int:
@@ -70,7 +73,7 @@ class LiftedAngles:
         # A running maximum keeps the bound: no earlier entry exceeds a later one in truth.
         return np.maximum.accumulate(values)
 
-    # --- the two questions -----------------------------------------------------------------------
+    # --- comparisons -----------------------------------------------------------------------------
 
     def last_below(self, offset: Angle) -> Indices:
         """Return for each i in [0, m) the last k with a_k < a_i + offset.
@@ -106,15 +109,50 @@ class LiftedAngles:
 
     def largest_gaps(self, last: Indices) -> Indices:
         """Return every i in [0, m) for which a_{last[i]+1} - a_i is largest, in order."""
-        shadow = self._shadow
-        widths = shadow[last + 1] - shadow[: len(self)]
+        return self.widest(np.arange(len(self)), last + 1)
+
+    def widest(self, starts: Indices, ends: Indices) -> Indices:
+        """Return every place p for which a_{ends[p]} - a_{starts[p]} is largest, in order.
+
+        All indices are in [0, 2 m].
+        """
+        widths = self._shadow[ends] - self._shadow[starts]
         # Each width is within 2 error and one rounding of the truth; so is the largest.
         margin = 4 * self.error + 2.0**-48
         (near,) = np.nonzero(widths >= widths.max() - margin)
         if len(near) == 1:
             return near
         self.exact_decisions += len(near)
-        exact = [self[int(last[i]) + 1] - self[int(i)] for i in near]
+        exact = [self[int(ends[p])] - self[int(starts[p])] for p in near]
         best = max(exact)
-        chosen: Any = [i for i, width in zip(near, exact, strict=True) if width == best]
+        chosen: Any = [p for p, width in zip(near, exact, strict=True) if width == best]
         return np.array(chosen, dtype=np.intp)
+
+    def position(self, theta: Angle) -> int:
+        """Return the k with a_k <= theta < a_{k+1}, for a base in [0, period).  O(log m)."""
+        periods, rest = divmod(theta, self.period)
+        return periods * len(self) + self.base.count_at_most(rest) - 1
+
+    def positions(self, other: LiftedAngles, indices: Indices, offset: Angle) -> Indices:
+        """Return for each j of `indices` the k with a_k <= b_j + offset < a_{k+1}.
+
+        The b_j are those of `other`, of the same period; the base of this sequence is in
+        [0, period). O(log m) for each, on arrays; exact only where the shadow leaves it open.
+        """
+        m, period = len(self), self.period.to_float()
+        laps, places = np.divmod(indices, len(other))
+        targets = other._shadow[places] + period * laps + offset.to_float()
+        turns = np.floor(targets / period)
+        rests = targets - period * turns
+        found = np.searchsorted(self._shadow[: 2 * m], rests, "right") - 1
+        # With n periods, the products n * period are off by n (2**-50 + 2**-51 * 2 pi) at most
+        # (the float period, one rounding), and so is each of the four sums: below 8 n 2**-48.
+        largest = max(float(np.abs(turns).max(initial=0)), float(np.abs(laps).max(initial=0)))
+        margin = self.error + other.error + (1 + self._turns) * (8 + 8 * largest) * 2.0**-48
+        unclear = (found < 0) | (rests - self._shadow[found] <= margin)
+        unclear |= self._shadow[found + 1] - rests <= margin
+        result: Indices = found + m * turns.astype(np.intp)
+        for p in np.flatnonzero(unclear).tolist():
+            self.exact_decisions += 1
+            result[p] = self.position(other[int(indices[p])] + offset)
+        return result

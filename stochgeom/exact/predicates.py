@@ -1,6 +1,7 @@
 """The signs everything else is decided by, for one pair of vectors or for arrays of them.
 
-Nothing outside this module (and `stochgeom.exact.forms`, for sums of angles) decides a sign.
+Nothing outside this module decides a sign, but `stochgeom.exact.forms` for sums of angles and
+`stochgeom.geometry.sweep_order` for the side of a line it has stored.
 
 Scalar predicates compute with unbounded integers. The array predicates take int64 or object
 arrays; on int64 arrays with entries below 2**53 they are exact without any unbounded integer:

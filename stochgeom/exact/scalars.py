@@ -18,7 +18,7 @@ import operator
 import re
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Final, SupportsIndex, TypeAlias
+from typing import Any, Final, SupportsFloat, SupportsIndex, TypeAlias
 
 import gmpy2
 from gmpy2 import mpq, mpz
@@ -87,7 +87,7 @@ def rational(value: RationalLike, *, where: str | None = None) -> mpq:
             where=where,
         )
     try:
-        return mpq(value) if isinstance(value, Fraction) else _from_index(value)
+        return mpq(Fraction(value)) if isinstance(value, Fraction) else _from_index(value)
     except TypeError:
         raise NumberError(
             f"{value!r} of type {kind.__name__} is not an exact number; {ACCEPTED}", where=where
@@ -168,10 +168,10 @@ def from_float_exact(value: float, *, where: str | None = None) -> mpq:
     mpq(3602879701896397,36028797018963968)
     """
     _require_finite(value, where)
-    return mpq(*float(value).as_integer_ratio())
+    return mpq(*value.as_integer_ratio())  # also of numpy's narrower and wider floats
 
 
-def from_float_shortest(value: float, *, where: str | None = None) -> mpq:
+def from_float_shortest(value: SupportsFloat, *, where: str | None = None) -> mpq:
     """Return the shortest decimal that reads back as the same float: ``0.1`` is one tenth.
 
     Examples
@@ -180,10 +180,12 @@ def from_float_shortest(value: float, *, where: str | None = None) -> mpq:
     mpq(1,10)
     """
     _require_finite(value, where)
-    return parse_rational(repr(float(value)), where=where)
+    # numpy prints its own kinds of floats as the shortest decimal for their own precision.
+    text = repr(float(value)) if isinstance(value, float) else str(value)
+    return parse_rational(text, where=where)
 
 
-def _require_finite(value: float, where: str | None) -> None:
+def _require_finite(value: Any, where: str | None) -> None:
     if not isinstance(value, numbers.Real) or not math.isfinite(value):
         raise NumberError(f"{value!r} is not a finite float", where=where)
 
@@ -196,7 +198,18 @@ def rational_text(value: mpq | mpz | int) -> str:
     >>> rational_text(mpq(6, 4)), rational_text(mpq(-4, 2))
     ('3/2', '-2')
     """
-    return str(value)
+    return str(mpq(value))  # str() of a Python integer refuses more than 4300 digits
+
+
+def integer_literal(value: int | mpz) -> str:
+    """Return a Python integer literal, hexadecimal where Python refuses so long a decimal one.
+
+    Examples
+    --------
+    >>> integer_literal(-7), integer_literal(10**5000)[:5]
+    ('-7', '0x31e')
+    """
+    return str(value) if value.bit_length() <= 10_000 else hex(value)
 
 
 def common_denominator(values: list[mpq]) -> mpz:

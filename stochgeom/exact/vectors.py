@@ -25,6 +25,7 @@ import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.errors import FloatRefusedError, NumberError
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.predicates import (
     EXACT_FLOAT_LIMIT,
@@ -50,6 +51,11 @@ class AngleVector(Sequence[Angle]):
     x, y : int64 arrays, or object arrays of integers
         The directions, none of them (0, 0).
 
+    Raises
+    ------
+    FloatRefusedError
+        For arrays of floats.
+
     Examples
     --------
     >>> vector = AngleVector.from_angles([Angle.from_degrees(45), Angle.from_degrees(370)])
@@ -60,7 +66,8 @@ class AngleVector(Sequence[Angle]):
     """
 
     def __init__(self, turns: IntArray, x: IntArray, y: IntArray) -> None:
-        self.turn_parts, self.x, self.y = turns, x, y
+        self.turn_parts, self.x, self.y = _exact(turns), _exact(x), _exact(y)
+        self._made: dict[int, Angle] = {}  # entries asked for so far
 
     @classmethod
     def from_directions(cls, x: IntArray, y: IntArray) -> AngleVector:
@@ -77,7 +84,7 @@ class AngleVector(Sequence[Angle]):
             _int_array([x for x, _ in directions]),
             _int_array([y for _, y in directions]),
         )
-        vector.__dict__["angles"] = tuple(listed)
+        vector._made.update(enumerate(listed))
         return vector
 
     # --- as a sequence ---------------------------------------------------------------------------
@@ -92,12 +99,13 @@ class AngleVector(Sequence[Angle]):
     def __getitem__(self, key: int | slice) -> Angle | AngleVector:
         if isinstance(key, slice):
             return self.take(key)
-        cached = self.__dict__.get("angles")
+        cached = self._made.get(key)
         if cached is not None:
-            return cached[key]  # type: ignore[no-any-return]
+            return cached
         turn = self.turn_parts[key]
         t = int(turn) if self.turn_parts.dtype != object or turn.denominator == 1 else mpq(turn)
-        return make_angle(t, int(self.x[key]), int(self.y[key]))
+        angle = self._made[key] = make_angle(t, int(self.x[key]), int(self.y[key]))
+        return angle
 
     def __iter__(self) -> Iterator[Angle]:
         return iter(self.angles)
@@ -106,6 +114,17 @@ class AngleVector(Sequence[Angle]):
     def angles(self) -> tuple[Angle, ...]:
         """All entries as canonical angles, made on first use."""
         return tuple(self[k] for k in range(len(self)))
+
+    def count_at_most(self, theta: Angle) -> int:
+        """Return how many entries of an increasing vector are at most theta.  O(log n)."""
+        low, high = 0, len(self)
+        while low < high:
+            middle = (low + high) // 2
+            if self[middle] <= theta:
+                low = middle + 1
+            else:
+                high = middle
+        return low
 
     def take(self, key: slice | NDArray[Any]) -> AngleVector:
         """Return the entries at a slice, a mask or an index array."""
@@ -138,10 +157,11 @@ class AngleVector(Sequence[Angle]):
         x, y = _product(self.x, self.y, ax, ay)
         # The argument of a product passes a full turn exactly if it is smaller than a factor's.
         carry = _arguments_below(x, y, self.x, self.y).astype(np.int64)
-        turn = angle.turn_part
-        if turn.denominator != 1 or abs(turn) >= EXACT_FLOAT_LIMIT:
-            return AngleVector(as_objects(self.turn_parts) + turn + carry, x, y)
-        return AngleVector(self.turn_parts + int(turn) + carry, x, y)
+        turn, old = angle.turn_part, self.turn_parts
+        # Turns below 2**53 cannot overflow, and a sum beyond is unbounded from the next one on.
+        if turn.denominator != 1 or abs(turn) >= EXACT_FLOAT_LIMIT or not fits_float(old):
+            return AngleVector(as_objects(old) + turn + carry, x, y)
+        return AngleVector(old + int(turn) + carry, x, y)
 
     def equals(self, other: AngleVector) -> bool:
         """Tell whether all entries are exactly equal.  O(n)."""
@@ -177,6 +197,16 @@ class AngleVector(Sequence[Angle]):
 
 
 # --- array helpers -------------------------------------------------------------------------------
+
+
+def _exact(array: IntArray) -> IntArray:
+    """Return integers as int64 or, where they may not fit, as objects; refuse anything else."""
+    if array.dtype == np.int64 or array.dtype == object:
+        return array
+    if array.dtype.kind in "iu":
+        return array.astype(np.int64) if array.dtype.kind == "i" else as_objects(array)
+    error = FloatRefusedError if array.dtype.kind == "f" else NumberError
+    raise error(f"an array of {array.dtype}; accepted: arrays of integers")
 
 
 def _int_array(values: Sequence[Any]) -> IntArray:
@@ -243,8 +273,8 @@ def argsort_arguments(x: IntArray, y: IntArray) -> tuple[NDArray[np.intp], NDArr
 
     Notes
     -----
-    O(n log n). The shadow sorts; exact signs of neighbours find what it got wrong, and only runs
-    of neighbours closer than its error are sorted again, exactly.
+    O(n log n). The shadow sorts; exact signs of neighbours find what it got wrong, equal ones out
+    of order among it, and only runs of neighbours closer than its error are sorted again, exactly.
 
     Examples
     --------
@@ -254,13 +284,22 @@ def argsort_arguments(x: IntArray, y: IntArray) -> tuple[NDArray[np.intp], NDArr
     """
     vector = AngleVector.from_directions(x, y)
     order = np.argsort(vector.shadow, kind="stable")
-    x, y = x[order], y[order]
-    if _arguments_below(x[1:], y[1:], x[:-1], y[:-1]).any():
+    fresh = _exceeds_last(vector, order)
+    # Where an argument does not exceed the last one, they have to be equal and in order.
+    places = np.nonzero(~fresh[1:])[0]
+    here, last = order[places + 1], order[places]
+    x, y = vector.x, vector.y
+    if (here < last).any() or _arguments_below(x[here], y[here], x[last], y[last]).any():
         order = _sort_close_runs(vector, order)
-        x, y = vector.x[order], vector.y[order]
+        fresh = _exceeds_last(vector, order)
+    return order, fresh
+
+
+def _exceeds_last(vector: AngleVector, order: NDArray[np.intp]) -> NDArray[np.bool_]:
+    x, y = vector.x[order], vector.y[order]
     fresh = np.ones(len(order), dtype=np.bool_)
     fresh[1:] = _arguments_below(x[:-1], y[:-1], x[1:], y[1:])
-    return order, fresh
+    return fresh
 
 
 def _sort_close_runs(vector: AngleVector, order: NDArray[np.intp]) -> NDArray[np.intp]:

@@ -1,4 +1,4 @@
-"""Plans run forward, exactly: single orientations, arcs, distributions, and the check of a plan.
+"""Plans run forward, exactly: single orientations, arcs, whole maps, and the check of a plan.
 
 Nothing here knows how a plan was found.
 """
@@ -7,12 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.errors import VerificationError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.directions import just_above
-from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.transfer.step_function import StepFunction
 
 Range = tuple[Angle | None, Angle, Angle | None]
@@ -46,20 +44,6 @@ def composite(transfer: StepFunction, angles: Sequence[Angle]) -> StepFunction:
     return whole
 
 
-def state_after(transfer: StepFunction, angles: Sequence[Angle]) -> Hyperstate:
-    """Return the hyperstate that actions make of a uniform prior."""
-    whole = composite(transfer, angles)
-    steps = len(whole) * whole.order
-    # Steps of one full turn of initial orientations; equal values are one state, because a
-    # monotone map of degree one takes each orientation on one arc only.
-    values = LiftedAngles(whole.values, whole.period)
-    states = sorted(
-        ((values[k].reduced(), whole.widths[k % len(whole)]) for k in range(steps)),
-        key=lambda state: state[0],
-    )
-    return Hyperstate(tuple(s for s, _ in states), tuple(w for _, w in states))
-
-
 def check_plan(transfer: StepFunction, mouth: Arc, ranges: Sequence[Range]) -> None:
     """Run a plan at its nominal angles and at the ends of every range.
 
@@ -72,6 +56,11 @@ def check_plan(transfer: StepFunction, mouth: Arc, ranges: Sequence[Range]) -> N
     VerificationError
         Naming the first claim that does not hold.
     """
+    for k, (bottom, angle, top) in enumerate(ranges):
+        if bottom is not None and top is not None and not bottom < angle <= top:
+            raise VerificationError(
+                f"{angle} is not in its range, above {bottom} and up to {top}", where=f"action {k}"
+            )
     nominal = [angle for _, angle, _ in ranges]
     high = [angle if top is None else top for _, angle, top in ranges]
     low = _just_above_lows(transfer, mouth, ranges)
@@ -79,11 +68,9 @@ def check_plan(transfer: StepFunction, mouth: Arc, ranges: Sequence[Range]) -> N
     for angles, what in ((high, "at the upper ends"), (low, "just above the lower ends")):
         if _collapse(transfer, angles, mouth, what) != goal:
             raise VerificationError(f"{what} the plan ends in another orientation")
-    for k, (bottom, angle, top) in enumerate(ranges):
-        if bottom is None or top is None:
+    for k, (bottom, _, _) in enumerate(ranges):
+        if bottom is None:
             continue
-        if not bottom < angle <= top:
-            raise VerificationError(f"{angle} is not in its range", where=f"action {k}")
         last = run_arc(transfer, [*low[:k], bottom, *nominal[k + 1 :]], mouth)[-1]
         if not last.width and last.start.reduced() == goal:
             raise VerificationError(

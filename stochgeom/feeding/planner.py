@@ -86,7 +86,7 @@ class FeedingProblem:
             If `steps` is below 1, or beyond the shortest plan that orients up to symmetry.
         """
         if steps < 1 or self.preimages.of_steps(steps).steps < steps:
-            longest = len(self.preimages.found())
+            longest = max(preimage.steps for preimage in self.preimages)
             raise InputError(f"{steps} steps; accepted: 1 to {longest} for this part")
         chain = self.preimages.found()[:steps]
         return FeedingPlan(self.transfer, chain, _cost_ratio(cost_ratio), self.part, self.action)

@@ -18,7 +18,7 @@ uniform prior is a random turn; its value is 0 and it has no range.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -32,8 +32,9 @@ from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.ratios import TurnRatio
-from stochgeom.feeding.execution import check_plan, run_angle, run_arc, state_after
+from stochgeom.feeding.execution import check_plan, run_angle, run_arc
 from stochgeom.feeding.preimages import Preimage
+from stochgeom.feeding.propagation import Outcome, outcomes
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
@@ -212,7 +213,12 @@ class FeedingPlan:
         count = self.steps if step is None else step
         if not 1 <= count <= self.steps:
             raise InputError(f"step {step}; accepted: 1 to {self.steps}")
-        return state_after(self.transfer, self.angles[:count])
+        *_, last = outcomes(self.transfer, self.angles[:count])
+        return last.hyperstate()
+
+    def outcomes(self) -> Iterator[Outcome]:
+        """Yield the hyperstate after each action, in compact form."""
+        return outcomes(self.transfer, self.angles)
 
     def verify(self) -> bool:
         """Run the plan forward and return True, or raise what fails.

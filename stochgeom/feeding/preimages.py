@@ -23,6 +23,7 @@ from typing import final
 
 import numpy as np
 
+from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.lifted import Indices
@@ -101,7 +102,14 @@ class Preimages:
         """Return the preimage of the given number of steps.
 
         Beyond the step where a period is reached, the last preimage: more steps do no better.
+
+        Raises
+        ------
+        InputError
+            If `steps` is below 1.
         """
+        if steps < 1:
+            raise InputError(f"a preimage of {steps} steps; accepted: 1 or more")
         while len(self._found) < steps and not self.complete:
             self._found.append(self._next())
         return self._found[min(steps, len(self._found)) - 1]

@@ -205,15 +205,8 @@ class DiameterFunction:
 
     def _piece_at(self, theta: Angle) -> int:
         """Return the piece whose arc holds theta modulo 180 degrees (a transition starts one)."""
-        rest = theta % HALF_TURN
-        low, high = 0, len(self.transitions)
-        while low < high:
-            middle = (low + high) // 2
-            if self.transitions[middle] <= rest:
-                low = middle + 1
-            else:
-                high = middle
-        return low - 1 if low else len(self.transitions) - 1
+        count = self.transitions.count_at_most(theta % HALF_TURN)
+        return count - 1 if count else len(self.transitions) - 1
 
     def squared(self, theta: Angle) -> mpq:
         """Return d(theta)**2 exactly, for a rational direction theta.  O(log n).

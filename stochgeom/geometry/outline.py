@@ -16,7 +16,8 @@ from stochgeom.errors import (
 )
 from stochgeom.exact.predicates import HomogeneousPoint, Turn, orientation
 from stochgeom.geometry.points import Point, Points
-from stochgeom.geometry.simplicity import Conflict, ConflictKind, contains, find_conflict
+from stochgeom.geometry.segments import ConflictKind, contains
+from stochgeom.geometry.simplicity import Conflict, find_conflict
 
 Indices = NDArray[np.intp]
 

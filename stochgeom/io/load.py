@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
-from pathlib import Path
+from typing import Final
 
-from stochgeom.errors import ReadError
+from stochgeom.errors import ReadError, SelfIntersectionError
 from stochgeom.geometry.part import Part
 from stochgeom.io.outlines import (
     MAX_BYTES,
@@ -17,6 +17,8 @@ from stochgeom.io.outlines import (
     read_outline,
 )
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
+
+_STANDARD_INPUT: Final = "standard input"
 
 
 def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
@@ -48,25 +50,60 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
             return part
         return Part(part.vertices, _center(center_of_mass), part.name)
     if source == "-":
-        content = sys.stdin.buffer.read(MAX_BYTES + 1)
-        if len(content) > MAX_BYTES:
-            raise ReadError(f"more than {MAX_BYTES} bytes", where="standard input")
-        return part_of(parse_outline(decode_outline(content)), center_of_mass)
-    if not Path(source).exists():
-        raise ReadError(
-            f"no file and no catalogue part; accepted: {', '.join(catalogue_names())}, a file, "
-            "or - for standard input",
-            where=source,
-        )
-    return part_of(read_outline(source), center_of_mass)
+        return part_of(parse_outline(decode_outline(_standard_input())), center_of_mass)
+    return part_of(_read_file(source), center_of_mass)
 
 
 def part_of(outline: Outline, center_of_mass: str | None = None) -> Part:
-    """Return the part with an outline, checking its geometry."""
+    """Return the part with an outline, checking its geometry.
+
+    Raises
+    ------
+    InvalidPartError
+        If it is no simple polygon; edges are named with the place in the source where they begin.
+    """
     if center_of_mass is not None:
         outline = replace(outline, center_of_mass=_center(center_of_mass))
-    return Part(outline.vertices, outline.center_of_mass, outline.name, outline.holes)
+    try:
+        return Part(outline.vertices, outline.center_of_mass, outline.name, outline.holes)
+    except SelfIntersectionError as error:
+        if not outline.places:
+            raise
+        first, second = (outline.places[edge] for edge in error.edges)
+        where = f"{error.where} (which begin at {first} and {second})"
+        raise SelfIntersectionError(error.message, edges=error.edges, where=where) from None
+
+
+def _read_file(source: str) -> Outline:
+    if not source:
+        raise ReadError(f"the name is empty; {_accepted()}")
+    try:
+        return read_outline(source)
+    except ReadError as error:
+        if not isinstance(error.__cause__, FileNotFoundError):
+            raise
+        raise ReadError(
+            f"neither a part of the catalogue nor a file; {_accepted()}", where=error.where
+        ) from None
+
+
+def _standard_input() -> bytes:
+    if sys.stdin is None:  # closed by whoever started the program
+        raise ReadError(f"closed; {_accepted()}", where=_STANDARD_INPUT)
+    try:
+        content = sys.stdin.buffer.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise ReadError(
+            f"cannot be read: {error.strerror or error}; {_accepted()}", where=_STANDARD_INPUT
+        ) from error
+    if len(content) > MAX_BYTES:
+        raise ReadError(f"larger than accepted: at most {MAX_BYTES} bytes", where=_STANDARD_INPUT)
+    return content
 
 
 def _center(text: str) -> tuple[object, object]:
     return parse_point(text, where="center of mass")
+
+
+def _accepted() -> str:
+    return f"accepted: {', '.join(catalogue_names())}, a file, or - for standard input"

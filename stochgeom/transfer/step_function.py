@@ -13,6 +13,7 @@ from functools import cached_property
 from math import gcd
 from typing import final
 
+from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.lifted import LiftedAngles
@@ -102,8 +103,7 @@ class StepFunction:
 
     def step_at(self, theta: Angle) -> int:
         """Return k with b_k <= theta < b_{k+1}, for the breaks lifted to all whole k."""
-        periods, rest = divmod(theta, self.period)
-        return periods * len(self) + _count_at_most(self.breaks, rest) - 1
+        return self.lifted_breaks.position(theta)
 
     def image(self, arc: Arc) -> ClosedArc:
         """Return the closed arc that the image of a half-open arc spans; both ends are taken.
@@ -176,11 +176,11 @@ class StepFunction:
 
         Raises
         ------
-        ValueError
+        InputError
             If `exponent` is below 1: the identity is no step function.
         """
         if exponent < 1:
-            raise ValueError(f"exponent {exponent}; accepted: whole numbers from 1 on")
+            raise InputError(f"exponent {exponent}; accepted: whole numbers from 1 on")
         result = self
         for _ in range(exponent - 1):
             result = self.compose(result)
@@ -233,15 +233,3 @@ class StepFunction:
         if len(self) > 100:
             return f"<StepFunction of {len(self)} steps in a period of {self.period}>"
         return f"StepFunction({list(self.breaks)!r}, {list(self.values)!r}, {self.period!r})"
-
-
-def _count_at_most(sequence: AngleVector, theta: Angle) -> int:
-    """Return how many entries of an increasing sequence are at most theta."""
-    low, high = 0, len(sequence)
-    while low < high:
-        middle = (low + high) // 2
-        if sequence[middle] <= theta:
-            low = middle + 1
-        else:
-            high = middle
-    return low

@@ -7,7 +7,8 @@ from itertools import product
 import pytest
 from gmpy2 import mpz
 
-from stochgeom.geometry.simplicity import ConflictKind, contains, find_conflict
+from stochgeom.geometry.segments import ConflictKind, contains
+from stochgeom.geometry.simplicity import find_conflict
 
 CROSSING, TOUCHING, OVERLAPPING = ConflictKind
 

@@ -10,7 +10,8 @@ from gmpy2 import mpz
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from stochgeom.geometry.simplicity import ConflictKind, contains, find_conflict, pair_conflict
+from stochgeom.geometry.segments import ConflictKind, contains, pair_conflict
+from stochgeom.geometry.simplicity import find_conflict
 
 MANY = max(2_000, settings().max_examples)
 

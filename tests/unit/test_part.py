@@ -146,7 +146,7 @@ def test_all_vertices_on_one_line(vertices):
         ([(0, 0), (0, 0), (2, 2), (2, 0), (0, 2)], (1, 3), "cross"),
         ([(0, 0), (2, 2), (2, 2), (2, 2), (2, 0), (0, 2), (0, 0)], (0, 4), "cross"),
         # twice round the same square
-        (SQUARE + SQUARE, (0, 4), "overlap"),
+        (SQUARE + SQUARE, (3, 7), "overlap"),
     ],
 )
 def test_an_outline_that_meets_itself(vertices, edges, word):

@@ -6,13 +6,8 @@ import pytest
 from gmpy2 import mpz
 
 from stochgeom.errors import InvalidPartError, TooFewVerticesError
-from stochgeom.geometry.simplicity import (
-    Conflict,
-    ConflictKind,
-    contains,
-    find_conflict,
-    pair_conflict,
-)
+from stochgeom.geometry.segments import ConflictKind, contains, pair_conflict
+from stochgeom.geometry.simplicity import Conflict, find_conflict
 from stochgeom.geometry.sweep_order import Place, SweepOrder, line_through
 
 CROSSING, TOUCHING, OVERLAPPING = ConflictKind
