@@ -26,8 +26,9 @@ if TYPE_CHECKING:
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.vectors import AngleVector
+    from stochgeom.feeding.actions import Action
     from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
-    from stochgeom.feeding.plans import Action, FeedingPlan
+    from stochgeom.feeding.plans import FeedingPlan
     from stochgeom.feeding.preimages import Preimage, Preimages, preimages
     from stochgeom.geometry.calipers import antipodal_pairs
     from stochgeom.geometry.diameter import DiameterFunction, Sinusoid
@@ -61,7 +62,7 @@ _HOMES = {
     "FeedingProblem": "feeding.planner",
     "orient_up_to_symmetry": "feeding.planner",
     "plan_feeding": "feeding.planner",
-    "Action": "feeding.plans",
+    "Action": "feeding.actions",
     "FeedingPlan": "feeding.plans",
     "Preimage": "feeding.preimages",
     "Preimages": "feeding.preimages",

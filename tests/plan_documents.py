@@ -44,6 +44,7 @@ def check_document(document: Json, digits: int = 4, cost_ratio: Fraction = Fract
         "schema",
         "part",
         "transfer",
+        "cost_ratio",
         "preimages",
         "plan",
         "geometric_plan",
@@ -51,6 +52,7 @@ def check_document(document: Json, digits: int = 4, cost_ratio: Fraction = Fract
     assert document["schema"] == "stochgeom/plan/1"
     _check_part(document["part"])
     transfer = Transfer(document["transfer"], digits)
+    assert rational_of(document["cost_ratio"]) == cost_ratio
     widths = [
         _check_preimage(preimage, steps, transfer, digits, cost_ratio)
         for steps, preimage in enumerate(document["preimages"], start=1)
@@ -149,7 +151,7 @@ class Transfer:
         self.values = [angle_of(angle, digits) for angle in document["values"]]
         self.order = self._order()
         assert len(self.breaks) == len(self.values) > 0
-        assert ZERO <= self.breaks[0]
+        assert self.breaks[0] >= ZERO
         following = [*self.breaks[1:], self.breaks[0] + self.period]
         for here, value, after in zip(self.breaks, self.values, following, strict=True):
             assert here < value < after

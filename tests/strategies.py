@@ -6,6 +6,7 @@ frequent; `tests/unit/test_strategies.py` checks that they are.
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from math import gcd
 
@@ -150,6 +151,18 @@ SPECIAL = [
 
 # --- made of the above ---------------------------------------------------------------------------
 
+NEAR = [(dx, dy) for dx in range(-4, 5) for dy in range(-4, 5)]
+
+orientations = st.sampled_from(
+    [Angle(turn, d) for turn in (0, -2, 1) for d in NEAR if d != (0, 0)]
+    + [Angle(Fraction(k, 24)) for k in range(-30, 60)]
+    + [Angle(0, (10**40 + k, 10**39 * k)) for k in range(-9, 10)]
+)
+"""Lifted angles of all kinds, as `angles`, of fewer values, drawn much faster."""
+
+rational_orientations = orientations.filter(lambda angle: angle.turn_part.denominator == 1)
+"""Those that are rational directions."""
+
 
 def squeezes() -> st.SearchStrategy[StepFunction]:
     """Squeeze functions of `parts`: values between their breaks, period at most 180 degrees."""
@@ -161,12 +174,19 @@ def transfer_functions() -> st.SearchStrategy[StepFunction]:
     return st.one_of(step_functions(), squeezes())
 
 
+ratios = st.sampled_from([Fraction(p, q) for q in (1, 2, 3, 7, 12) for p in range(-20, 21)])
+"""Rationals as `fractions`, of fewer values, drawn much faster."""
+
+shifts = st.tuples(ratios, ratios)
+
+factors = shifts.filter(lambda p: p != (0, 0))
+"""Complex numbers to multiply a part by."""
+
+
 @st.composite
 def rational_parts(draw: st.DrawFn) -> Part:
     """Grid parts turned, scaled and moved to coordinates with denominators of all kinds."""
-    part = draw(parts())
-    factor = draw(st.tuples(fractions, fractions).filter(lambda p: p != (0, 0)))
-    return part.multiply(factor).translate(*draw(rational_points))
+    return draw(parts()).multiply(draw(factors)).translate(*draw(shifts))
 
 
 @st.composite
@@ -175,30 +195,70 @@ def circle_parts(draw: st.DrawFn) -> Part:
 
     No small common denominator exists, so that their points are homogeneous.
     """
-    slopes = draw(st.lists(st.integers(-(10**7), 10**7), min_size=3, max_size=8, unique=True))
+    slopes = draw(st.lists(st.integers(-30, 30), min_size=3, max_size=8, unique=True))
     corners = []
     for k, slope in enumerate(sorted(slopes)):
-        t = Fraction(slope, 10**6 + 7 * k)
+        t = Fraction(slope * 10**5 + k, 10**6 + 7 * k)  # of half the polar angle
         corners.append(((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
     # Different denominators may have exchanged neighbours on the circle.
     corners.sort(key=lambda p: Angle(0, p))
     return _part_or_reject(corners)
 
 
-mixtures = st.tuples(st.sampled_from([0, 1, 1, 2, 3, 10**6, 10**30]), st.integers(1, 4))
+@st.composite
+def nearly_regular(draw: st.DrawFn, *, most: int = 11) -> Part:
+    """Convex parts close to regular polygons, whose plans are long: n steps where n is odd."""
+    n = draw(st.integers(4, most))
+    moves = draw(st.lists(st.sampled_from(NEAR), min_size=n, max_size=n))
+    turns = [2 * math.pi * k / n for k in range(n)]
+    return _part_or_reject(
+        [
+            (round(1000 * math.cos(turn)) + dx, round(1000 * math.sin(turn)) + dy)
+            for turn, (dx, dy) in zip(turns, moves, strict=True)
+        ]
+    )
+
+
+@st.composite
+def necklaces(draw: st.DrawFn) -> StepFunction:
+    """Step maps with breaks on a grid of 30 degrees and a value 15 degrees after each break.
+
+    Given as maps of period 360 degrees, most have a smaller one; many are rotations of others.
+    """
+    cells = 12 // draw(st.sampled_from([1, 2, 3, 4]))
+    word = draw(st.sets(st.integers(0, cells - 1), min_size=1, max_size=6))
+    beads = [k for k in range(12) if k % cells in word]
+    return StepFunction(
+        [Angle.from_degrees(30 * k) for k in beads],
+        [Angle.from_degrees(30 * k + 15) for k in beads],
+    )
+
+
+mixtures = st.sampled_from([(a, b) for a in (0, 1, 2, 3, 10**6, 10**30) for b in (1, 2, 5)])
 """Weights of the two ends of a range: an angle strictly above the lower one, at most the upper."""
 
 
 # --- numbers and sequences at the limits ---------------------------------------------------------
 
+
+def signed(least: int, most: int) -> st.SearchStrategy[int]:
+    """Integers of a size from `least` to `most`; hypothesis by itself prefers small ones."""
+    return st.builds(
+        lambda size, sign: size * sign, st.integers(least, most), st.sampled_from([1, -1])
+    )
+
+
 int64s = st.one_of(
     small,
-    st.integers(-(2**33), 2**33),
-    st.integers(-(2**63), 2**63 - 1),
+    signed(2**31, 2**53 - 1),
+    signed(2**53, 2**63 - 1),
     st.sampled_from([s * 2**e + d for e in (52, 53, 62) for d in (-1, 0, 1) for s in (-1, 1)]),
     st.sampled_from([-(2**63), 1 - 2**63, 2**63 - 1, 2**63 - 2]),
 )
 """Machine integers, those about the limits of float64 and int64 among them."""
+
+long_directions = st.tuples(signed(10**39, 10**40), signed(10**30, 10**40))
+"""Directions of some 40 digits."""
 
 long_fractions = st.one_of(fractions, st.fractions(-20, 20, max_denominator=10**30))
 """Rationals, some with denominators of 30 digits."""
@@ -213,7 +273,8 @@ def near_ties(draw: st.DrawFn) -> tuple[int, int, int, int]:
 
     Mostly the two products are above 2**100, so that float64 rounds them to one number.
     """
-    a, b = draw(st.integers(2, 2**53 - 1)), draw(st.integers(2, 2**53 - 1))
+    large = st.integers(2**52, 2**53 - 1)
+    a, b = draw(large), draw(large)
     common = gcd(a, b)
     a, b = a // common, b // common
     difference = draw(st.integers(-2, 2))
@@ -240,3 +301,13 @@ def lifted_sequences(draw: st.DrawFn) -> tuple[list[Angle], Angle]:
     entries |= {entry + TINY for entry in moved if draw(st.booleans())}
     shift = draw(st.sampled_from([Angle(0), Angle(2), Angle(-1, (3, 4)), Angle.from_degrees(71)]))
     return sorted(entry + shift for entry in entries), period
+
+
+@st.composite
+def symmetric_hulls(draw: st.DrawFn) -> Part:
+    """Convex parts with a symmetry of 180 or 90 degrees."""
+    half = draw(st.lists(points, min_size=2, max_size=5, unique=True))
+    corners = {q for x, y in half for q in [(x, y), (-x, -y)]}
+    if draw(st.booleans()):
+        corners |= {(-y, x) for x, y in corners}
+    return _part_or_reject(_in_hull_order(sorted(corners)))

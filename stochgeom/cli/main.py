@@ -134,7 +134,8 @@ def _complain(text: str) -> None:
 def _abandon_output() -> None:
     """Keep the interpreter from flushing, when it ends, what could not be written."""
     with contextlib.suppress(OSError):  # a stand-in for stdout may have no file
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        descriptor = sys.stdout.fileno()
+        os.dup2(os.open(os.devnull, os.O_WRONLY), descriptor)
 
 
 if __name__ == "__main__":

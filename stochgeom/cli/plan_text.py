@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeVar
-
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational_text
+from stochgeom.feeding.actions import Action
 from stochgeom.feeding.planner import FeedingProblem
-from stochgeom.feeding.plans import Action, FeedingPlan
-
-_T = TypeVar("_T")
+from stochgeom.feeding.plans import FeedingPlan
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
@@ -60,26 +56,24 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
 
 
 def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
-    shown = {step for step in _shown(range(1, plan.steps + 1)) if step is not None}
-    rows = []
+    steps = _shown_steps(plan.steps)
+    rows: dict[int | None, list[str]] = {None: ["...", "", "", "", ""]}
     for step, (action, outcome) in enumerate(
         zip(plan.actions, plan.outcomes(), strict=True), start=1
     ):
-        if step not in shown:
-            if step - 1 in shown:
-                rows.append(["...", "", "", "", ""])
-            continue
-        rows.append(
-            [
+        if step in steps:
+            rows[step] = [
                 str(step),
                 "random" if action.low is None else action.angle.degrees(digits),
                 _range_text(action, digits),
                 str(len(outcome)),
                 outcome.most_likely().decimal(digits),
             ]
-        )
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
-    return f"{title} (angles in degrees)\n" + table(header, rows)
+    text = f"{title} (angles in degrees)\n{table(header, [rows[step] for step in steps])}"
+    if any(_looks_empty(plan.actions[step - 1], digits) for step in steps if step is not None):
+        text += "\n  ranges narrower than the decimals show have equal ends; --digits shows more"
+    return text
 
 
 def _range_text(action: Action, digits: int) -> str:
@@ -88,25 +82,31 @@ def _range_text(action: Action, digits: int) -> str:
     return f"({action.low.degrees(digits)}, {action.high.degrees(digits)}]"
 
 
+def _looks_empty(action: Action, digits: int) -> bool:
+    if action.low is None or action.high is None:
+        return False
+    return action.low.degrees(digits) == action.high.degrees(digits)
+
+
 def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str:
+    found = problem.preimages.found()
     rows = []
-    for preimage in _shown(list(problem.preimages.found())):
-        if preimage is None:
+    for steps in _shown_steps(len(found), plan.steps):
+        if steps is None:
             rows.append(["...", "", "", ""])
             continue
-        steps = preimage.steps
-        cost = problem.expected_cost(steps, plan.cost_ratio).decimal(digits)
-        best = " <- least" if steps == plan.steps else ""
+        width = found[steps - 1].width.degrees(digits)
         probability = problem.probability(steps).decimal(digits)
-        rows.append([str(steps), preimage.width.degrees(digits), probability, cost + best])
+        cost = problem.expected_cost(steps, plan.cost_ratio).decimal(digits)
+        rows.append([str(steps), width, probability, cost])
+    column = max(len(row[3]) for row in rows)
+    for row in rows:
+        mark = " <- least" if row[0] == str(plan.steps) else ""
+        row[3] = row[3].rjust(column) + mark
     header = ["steps", "collapsed arc", "probability", "expected cost"]
     times = "time" if plan.cost_ratio == 1 else "times"
     price = f"{rational_text(plan.cost_ratio)} {plan.action_name} {times}"
     title = f"Best plan of each length (a filter pass costs {price})"
-    width = max(len(row[3].removesuffix(" <- least")) for row in rows)
-    for row in rows:
-        number, mark, rest = row[3].partition(" <- ")
-        row[3] = number.rjust(width) + mark + rest
     return f"{title}\n" + table(header, rows, left=[3])
 
 
@@ -164,9 +164,22 @@ def _amount(number: TurnRatio, noun: str) -> str:
     return f"{number.decimal(2)} {plural}"
 
 
-def _shown(rows: Sequence[_T]) -> list[_T | None]:
-    """Return the rows, or the first and last ones with None between them."""
-    if len(rows) <= MOST_ROWS:
-        return list(rows)
+def _shown_steps(count: int, *also: int) -> list[int | None]:
+    """Return 1 to `count`, or the first, the last and the ones in `also`, with None for gaps.
+
+    Examples
+    --------
+    >>> [step for step in _shown_steps(100, 50) if step is None or 19 < step < 83]
+    [20, None, 50, None, 81, 82]
+    """
     half = MOST_ROWS // 2
-    return [*rows[:half], None, *rows[-half:]]
+    if count <= MOST_ROWS:
+        return [*range(1, count + 1)]
+    shown: list[int | None] = []
+    last = 0
+    for step in sorted({*range(1, half + 1), *also, *range(count - half + 1, count + 1)}):
+        if step > last + 1:
+            shown.append(None)
+        shown.append(step)
+        last = step
+    return shown

@@ -2,7 +2,9 @@
 
 A plan's actions may be any angle of an interval; people want one near its middle, machines want
 one of few digits. Nothing here decides: every angle returned lies inside the interval by exact
-comparison, and all of it is integer arithmetic, so it is the same on every machine.
+comparison. Between rational directions, and between rational numbers of turns, all of it is
+integer arithmetic, so it is the same on every machine; between one of either kind, or sums of
+both, ball arithmetic bounds the interval, and the answer is a rational number of turns.
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from __future__ import annotations
 from gmpy2 import isqrt, mpq, mpz
 
 from stochgeom.errors import InvalidArcError
-from stochgeom.exact.angles import HALF_TURN, Angle, make_angle
+from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle, make_angle
 from stochgeom.exact.balls import START_BITS, Ball, rational_ball, working_precision
 from stochgeom.exact.predicates import half_plane
 
@@ -18,12 +20,17 @@ _BITS = 16  # halves are right to about one part in 2**_BITS
 
 
 def nominal_angle(low: Angle, high: Angle) -> Angle:
-    """Return the simplest direction within about an eighth of the width from the middle.
+    """Return the simplest angle within about an eighth of the width from the middle.
 
     Parameters
     ----------
     low, high : Angle
         low < high, at most 360 degrees apart. The answer lies strictly between.
+
+    Raises
+    ------
+    InvalidArcError
+        For any other low and high.
 
     Examples
     --------
@@ -32,9 +39,9 @@ def nominal_angle(low: Angle, high: Angle) -> Angle:
     >>> nominal_angle(Angle(0, (3, 1)), Angle(0, (1, 3))).degrees(0)
     '45'
     """
-    width = high - low
-    if width.turn_part.denominator != 1:
-        return _nominal_turns(low, high)
+    width = _width(low, high)
+    if not _are_directions(low, high):
+        return _simplest_turns(low, high, mpq(3, 8), mpq(5, 8))
     middle = low + _half(width)
     eighth = _half(_half(_half(width)))
     angle = simplest_between(middle - eighth, middle + eighth)
@@ -44,9 +51,9 @@ def nominal_angle(low: Angle, high: Angle) -> Angle:
 
 def just_above(low: Angle, high: Angle) -> Angle:
     """Return an angle above `low` by less than a 2**-20th of the way to `high`."""
-    width = high - low
-    if width.turn_part.denominator != 1:
-        return _simplest_turns(low, high, mpq(0), mpq(1, 2**20))
+    width = _width(low, high)
+    if not _are_directions(low, high):
+        return _simplest_turns(low, high, mpq(1, 2**21), mpq(3, 2**22))
     for _ in range(21):
         width = _half(width)
     angle = simplest_between(low + _half(width), low + width)
@@ -114,6 +121,21 @@ def simplest_fraction(low: mpq, high: mpq) -> mpq:
         low, high = 1 / (high - whole), 1 / (low - whole)
 
 
+def _width(low: Angle, high: Angle) -> Angle:
+    """Return high - low, in (0, 360] degrees."""
+    width = high - low
+    if not ZERO < width <= FULL_TURN:
+        raise InvalidArcError(
+            f"no angle chosen from {low} to {high}; accepted: low < high, at most 360° apart"
+        )
+    return width
+
+
+def _are_directions(*angles: Angle) -> bool:
+    """Tell whether all angles are whole turns and a rational direction."""
+    return all(angle.turn_part.denominator == 1 for angle in angles)
+
+
 def _half(width: Angle) -> Angle:
     """Return about half of an angle in (0, 360] degrees, a rational direction, never 0.
 
@@ -130,24 +152,29 @@ def _half(width: Angle) -> Angle:
     return make_angle(0, n + x, y) if y > 0 else make_angle(0, -n - x, -y)
 
 
-def _nominal_turns(low: Angle, high: Angle) -> Angle:
-    return _simplest_turns(low, high, mpq(3, 8), mpq(5, 8))
-
-
 def _simplest_turns(low: Angle, high: Angle, first: mpq, last: mpq) -> Angle:
     """Return the simplest rational number of turns between two shares of the way."""
+    start, end = low.rational_turns, high.rational_turns
+    if start is not None and end is not None:
+        width = end - start
+        return Angle.from_turns(_simplest_rational(start + width * first, start + width * last))
     bits = START_BITS
     while True:
         with working_precision(bits):
-            start, width = low.ball(), (high - low).ball()
-            a = _dyadic((start + width * rational_ball(first)).upper())
-            b = _dyadic((start + width * rational_ball(last)).lower())
+            ball, way = low.ball(), (high - low).ball()
+            a = _dyadic((ball + way * rational_ball(first)).upper())
+            b = _dyadic((ball + way * rational_ball(last)).lower())
         if a < b:
-            shift = a.numerator // a.denominator
-            angle = Angle.from_turns(simplest_fraction(a - shift, b - shift) + shift)
+            angle = Angle.from_turns(_simplest_rational(a, b))
             if low < angle < high:
                 return angle
         bits *= 2
+
+
+def _simplest_rational(low: mpq, high: mpq) -> mpq:
+    """Return the simplest fraction of an interval of any sign."""
+    shift = low.numerator // low.denominator
+    return simplest_fraction(low - shift, high - shift) + shift
 
 
 def _dyadic(end: Ball) -> mpq:

@@ -14,7 +14,7 @@ from gmpy2 import mpq
 
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
-from stochgeom.exact.balls import START_BITS, Ball, rational_ball, working_precision
+from stochgeom.exact.balls import Ball, certified_float, rational_ball
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.exact.forms import sign_of_form
 from stochgeom.exact.predicates import sign
@@ -32,7 +32,7 @@ class TurnRatio:
 
     Parameters
     ----------
-    coefficient : mpq
+    coefficient : rational
         At least 0.
     angle : Angle
         Positive; a is its number of full turns.
@@ -53,6 +53,8 @@ class TurnRatio:
     inverse: bool = False
 
     def __post_init__(self) -> None:
+        exact = rational(self.coefficient, where="coefficient of a ratio")
+        object.__setattr__(self, "coefficient", exact)
         if self.coefficient < 0 or self.angle <= ZERO:
             raise InputError(
                 f"ratio of {self.coefficient} and {self.angle}; "
@@ -124,21 +126,26 @@ class TurnRatio:
         return sign_of_form(-value, [(self.coefficient, self.angle)])
 
     def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):  # equal values must have equal hashes
+            return NotImplemented
         try:
             return self.compare(other) == 0
         except InputError:
             return NotImplemented
 
     def __lt__(self, other: TurnRatio | RationalLike) -> bool:
+        if isinstance(other, str):
+            return NotImplemented
         return self.compare(other) < 0
 
     def __hash__(self) -> int:
-        # Equal numbers may be made of different angles, so only the value could be hashed.
-        return hash(self.decimal(12))
+        # Equal numbers may be made of different angles, so only the value can be hashed.
+        exact = self.rational
+        return hash(self.decimal(12)) if exact is None else hash(exact)
 
     def __float__(self) -> float:
-        with working_precision(2 * START_BITS):
-            return float(self.ball())
+        exact = self.rational
+        return certified_float(self.ball) if exact is None else float(exact)
 
     def __str__(self) -> str:
         return self.decimal(4)

@@ -19,10 +19,9 @@ uniform prior is a random turn; its value is 0 and it has no range.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, final
 
 from gmpy2 import mpq
 
@@ -30,8 +29,9 @@ from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
-from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.ratios import TurnRatio
+from stochgeom.feeding.actions import Action
+from stochgeom.feeding.certificates import certificate
 from stochgeom.feeding.execution import check_plan, run_angle, run_arc
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.feeding.propagation import Outcome, outcomes
@@ -39,34 +39,6 @@ from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
     from stochgeom.geometry.part import Part
-
-
-@final
-@dataclass(frozen=True)
-class Action:
-    """Turn the gripper by an angle relative to its last pose, close, open.
-
-    Attributes
-    ----------
-    low, high : Angle or None
-        The action does its work for every angle in (low, high], whatever the other actions do
-        inside their ranges. None for the random first turn.
-    """
-
-    low: Angle | None
-    high: Angle | None
-
-    @cached_property
-    def angle(self) -> Angle:
-        """The simplest rational direction near the middle of the range; 0 if it is free."""
-        if self.low is None or self.high is None:
-            return ZERO
-        return nominal_angle(self.low, self.high)
-
-    @property
-    def tolerance(self) -> Angle | None:
-        """The width of the range; None if the angle is free."""
-        return None if self.low is None or self.high is None else self.high - self.low
 
 
 @final
@@ -233,6 +205,10 @@ class FeedingPlan:
         """
         check_plan(self.transfer, self.mouth, [(a.low, a.angle, a.high) for a in self.actions])
         return True
+
+    def certificate(self) -> dict[str, Any]:
+        """Return the plan with its proof, a ``stochgeom/certificate/1`` document."""
+        return certificate(self)
 
     def __repr__(self) -> str:
         name = f" for {self.part.name}" if self.part is not None and self.part.name else ""

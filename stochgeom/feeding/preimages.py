@@ -47,6 +47,9 @@ class Preimage:
         How many maximal arcs were compared: one for each break of a period.
     ties : int
         How many of them are as wide.
+    first, last : int
+        Numbers of the first and the last step of the arc: it runs from break `first` to break
+        `last` + 1, its image from value `first` to value `last`.
     """
 
     steps: int
@@ -54,6 +57,8 @@ class Preimage:
     image: ClosedArc
     competitors: int
     ties: int
+    first: int
+    last: int
 
     @property
     def width(self) -> Angle:
@@ -135,6 +140,8 @@ class Preimages:
             image=ClosedArc(low, high - low),
             competitors=len(transfer),
             ties=len(widest),
+            first=first,
+            last=int(last[first]),
         )
         if self._found and preimage.width <= self._found[-1].width:
             raise AssertionError(  # pragma: no cover

@@ -43,7 +43,7 @@ def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
         kept = without_repeats(ring)
         homogeneous = ring.homogeneous()
         corners = [homogeneous[k] for k in kept.tolist()]
-        _check_ring(corners, None if place == 0 else f"hole {place - 1}")
+        _check_ring(corners, "outline" if place == 0 else f"hole {place - 1}")
         # Rings must share a scale to be compared with each other.
         rings.append([(x, y, w * ring.scale) for x, y, w in corners])
         numbers.append(kept)
@@ -53,7 +53,7 @@ def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
     _check_nesting(rings)
 
 
-def _check_ring(corners: list[HomogeneousPoint], where: str | None) -> None:
+def _check_ring(corners: list[HomogeneousPoint], where: str) -> None:
     # Two neighbours differ, so a third distinct corner shows up before long.
     distinct: set[tuple[mpq, mpq]] = set()
     for x, y, w in corners:
@@ -62,7 +62,7 @@ def _check_ring(corners: list[HomogeneousPoint], where: str | None) -> None:
             break
     else:
         raise TooFewVerticesError(
-            f"{len(distinct)} distinct vertices; accepted: at least 3", where=where
+            f"no 3 distinct vertices, only {len(distinct)}; accepted: at least 3", where=where
         )
     # Neighbours differ, so the first two corners span the only line all of them could lie on.
     if all(orientation(corners[0], corners[1], p) is Turn.STRAIGHT for p in corners):

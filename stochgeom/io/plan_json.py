@@ -45,6 +45,7 @@ def plan_document(
             "breaks": [angle_json(angle, digits) for angle in transfer.breaks],
             "values": [angle_json(angle, digits) for angle in transfer.values],
         },
+        "cost_ratio": rational_text(plan.cost_ratio),
         "preimages": [
             _preimage_json(preimage, problem, plan, digits)
             for preimage in problem.preimages.found()

@@ -43,10 +43,10 @@ TABLE_4_1: Final = {
         "Table 4.1, key, 3-step",
         "8.2",
         "8.0",
-        "6.2 at two steps means h_2 > 172.8 degrees; an arc of 180 degrees misses one gap between "
+        "6.2 at two steps means h_2 >= 172.8 degrees; an arc of 180 degrees misses one gap between "
         "neighbouring stable orientations in its image, so three steps collapse it once some gap "
-        "exceeds 180 - h_2 < 7.2 degrees; at most 11 gaps share 180 degrees, so the largest is "
-        "at least 16.4",
+        "exceeds 180 - h_2 <= 7.2 degrees; at most 11 gaps share 180 degrees, so the largest is "
+        "more than 16.3",
     ),
 }
 """Cells of Table 4.1 that no part with the rest of the printed numbers can have."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -72,7 +74,7 @@ def test_union(some, circle):
     union = union_arcs(map(made, some), deg(circle))
     cells = set().union(*(covered(a, circle) for a in some))
     assert cells_of(union) == sorted(cells)
-    assert all(a.end < b.start for a, b in zip(union, union[1:], strict=False))
+    assert all(a.end < b.start for a, b in pairwise(union))
     assert union_measure(map(made, some), deg(circle)) == deg(len(cells))
 
 

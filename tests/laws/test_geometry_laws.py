@@ -12,7 +12,7 @@ from stochgeom.geometry.calipers import NO_EDGE, antipodal_pairs, rotate_caliper
 from stochgeom.geometry.hull import ConvexHull, convex_hull, convex_outline, locate
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Points
-from tests.strategies import circle_parts, directions, parts, rational_parts, rational_points
+from tests.strategies import circle_parts, directions, parts, rational_parts, shifts
 
 any_part = st.one_of(parts(), rational_parts(), circle_parts())
 
@@ -119,7 +119,7 @@ def test_centroid_lies_strictly_inside_the_hull(part):
 # --- maps ----------------------------------------------------------------------------------------
 
 
-@given(any_part, directions, rational_points)
+@given(any_part, directions, shifts)
 def test_similarity_maps_carry_area_and_centroid(part, factor, shift):
     """Refuted by a centroid that does not move as the vertices do, or a wrong change of area."""
     c, s = factor
@@ -135,7 +135,7 @@ def test_similarity_maps_carry_area_and_centroid(part, factor, shift):
     assert mirrored.centroid == (x, -y)
 
 
-@given(any_part, directions, rational_points)
+@given(any_part, directions, shifts)
 def test_similarity_maps_carry_the_hull(part, factor, shift):
     """Refuted by a map after which another set of vertices is on the hull."""
     numbers = sorted(part.hull.indices)

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from stochgeom.exact.gaussian import Gaussian, coprime_base, divide, exponent, gcd
-from tests.strategies import directions, large_directions
+from tests.strategies import directions, long_directions
 
 
 def gaussian(pair):
@@ -33,8 +33,8 @@ def associates(a):
 
 
 numbers = directions.map(gaussian)
-large_numbers = large_directions.map(gaussian)
-any_numbers = st.one_of(numbers, large_numbers)
+long_numbers = long_directions.map(gaussian)
+any_numbers = st.one_of(numbers, long_numbers)
 nearly_any = st.one_of(numbers, st.just(gaussian((0, 0))))
 
 

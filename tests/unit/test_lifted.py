@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.vectors import AngleVector
-from tests.strategies import TINY, lifted_sequences
+from tests.strategies import TINY, angles, lifted_sequences
 
 EVERYTHING = 1e9
 """A bound on the shadow's error that leaves every decision to exact arithmetic."""
@@ -105,6 +105,45 @@ def test_the_shadow_decides_what_is_well_separated(degrees, cells, steps, turns)
     assert sequence.exact_decisions == 0
 
 
+def normalized(drawn):
+    """Return entries moved into [0, period), where `position` wants them."""
+    entries, period = drawn
+    return sorted({a % period for a in entries}), period
+
+
+@given(lifted_sequences().map(normalized), angles(), st.integers(-9, 9), st.data())
+def test_positions_by_both_roads(drawn, theta, turns, data):
+    entries, period = drawn
+    theta = data.draw(st.sampled_from([theta, *entries])) + turns * period
+    theta += data.draw(st.sampled_from([ZERO, TINY, -TINY]))
+    sequence = lifted(entries, period)
+    k = sequence.position(theta)
+    assert entry(entries, period, k) <= theta < entry(entries, period, k + 1)
+
+
+@given(lifted_sequences().map(normalized), lifted_sequences(), angles(), st.data())
+def test_positions_of_another_sequence(drawn, other, theta, data):
+    entries, period = drawn
+    others = sorted({a % period for a in other[0]})
+    shift = data.draw(st.sampled_from([0, 0, 1, -2, 10**6])) * period
+    others = [b + shift for b in others]
+    differences = [a - b for a in entries for b in others]
+    offset = data.draw(st.sampled_from([theta, *differences]))
+    offset += data.draw(st.sampled_from([ZERO, TINY, -TINY]))
+    indices = np.array(data.draw(st.lists(st.integers(-40, 40), max_size=8)), dtype=np.intp)
+    expected = []
+    for j in indices.tolist():
+        target = entry(others, period, j) + offset
+        k = int((target // period) * len(entries)) - 1
+        while entry(entries, period, k + 1) <= target:
+            k += 1
+        expected.append(k)
+    for error in (None, EVERYTHING):
+        a, b = lifted(entries, period, error), lifted(others, period, error)
+        assert a.positions(b, indices, offset).tolist() == expected
+        assert error is None or a.exact_decisions == len(indices)
+
+
 # --- by hand -------------------------------------------------------------------------------------
 
 
@@ -187,3 +226,14 @@ def test_a_base_near_zero_and_a_period_far_away(turns):
             assert sequence.last_below(offset).tolist() == last_below(entries, period, offset)
             ends = np.array([1, 2])
             assert sequence.widest(ends - 1, ends).tolist() == [1]
+
+
+@pytest.mark.parametrize("error", [None, EVERYTHING])
+def test_positions_by_hand(error):
+    a = lifted([deg(10), deg(40), deg(70)], QUARTER_TURN, error)
+    b = lifted([ZERO, deg(30)], QUARTER_TURN, error)
+    indices = np.array([0, 1, 2, 3, -1])  # 0, 30, 90, 120 and -60 degrees
+    assert a.positions(b, indices, ZERO).tolist() == [-1, 0, 2, 3, -3]
+    assert a.positions(b, indices, deg(10)).tolist() == [0, 1, 3, 4, -2]
+    assert a.positions(b, indices, deg(10) - TINY).tolist() == [-1, 0, 2, 3, -3]
+    assert [a.position(deg(d)) for d in (9, 10, 99, 100, -20, -21)] == [-1, 0, 2, 3, -1, -2]

@@ -15,9 +15,14 @@ from stochgeom.errors import FloatRefusedError
 from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.predicates import compare_arguments
 from stochgeom.exact.vectors import AngleVector, argsort_arguments
-from tests.strategies import TINY, angles, directions, int64s, large_directions
+from tests.strategies import TINY, angles, directions, int64s, long_directions
 
-any_angles = st.one_of(angles(), angles(), angles().map(lambda a: a + TINY))
+any_angles = st.one_of(
+    angles(),
+    angles(),
+    angles().map(lambda a: a + TINY),
+    st.builds(Angle, st.integers(-3, 3), long_directions),
+)
 lists = st.lists(any_angles, max_size=8)
 machine_directions = st.tuples(int64s, int64s).filter(lambda p: p != (0, 0))
 EDGE = 2**53 - 1
@@ -222,7 +227,7 @@ def test_sorting_of_machine_integers(pairs):
 
 
 @given(
-    st.lists(st.one_of(directions, large_directions), min_size=1, max_size=5),
+    st.lists(st.one_of(directions, long_directions), min_size=1, max_size=5),
     st.lists(st.tuples(st.integers(0, 4), st.integers(-2, 2), st.integers(1, 3)), max_size=10),
 )
 def test_sorting_of_directions_that_differ_by_very_little(pairs, moves):

@@ -1,0 +1,465 @@
+"""Check the certificate of a feeding plan; standard library only, nothing of the planner.
+
+    python certificate_checker.py FILE      exit code 0 valid, 1 a claim fails, 2 no certificate
+
+The file claims: this is the outline's convex hull; these are all strict extrema of its diameter
+function, hence breaks and values of its squeeze function, of this smallest period; these are the
+widest arcs that 1, 2, ... squeezes collapse, up to a whole period; so much do the plans of each
+length cost; these actions, anywhere in their ranges, bring the mouth to one orientation. From the
+outline, the cost ratio and the number of steps everything is computed anew here, in whole numbers
+and by the plainest method, and compared field by field. Only the nominal angles are free inside
+their ranges. (That the outline does not cross itself is no claim: jaws touch the hull only.)
+
+An angle is (t, x, y): t turns plus the argument of x + i y in [0, 360) degrees, in whole numbers, x
+and y coprime. At the orientation (t, x, y) a point p of the part stands at p (x + i y).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import sys
+from bisect import bisect_left, bisect_right
+from fractions import Fraction
+from functools import cmp_to_key, reduce
+from pathlib import Path
+from typing import Any
+
+SCHEMA = "stochgeom/certificate/1"
+MAX_BYTES = 64 * 2**20
+MAX_DIGITS = 20_000
+Angle = tuple[int, int, int]
+Corner = tuple[int, int, int]  # vertex number, x, y
+
+
+class InvalidClaimError(Exception):
+    """A claim that does not hold; `claim` names it."""
+
+    def __init__(self, claim: str, message: str) -> None:
+        super().__init__(f"{claim}: {message}")
+        self.claim, self.message = claim, message
+
+
+class NoCertificateError(InvalidClaimError):
+    """What was read is no certificate of this schema."""
+
+
+def argument_sign(ax: int, ay: int, bx: int, by: int) -> int:
+    """Return the sign of arg a - arg b, both in [0, 360) degrees."""
+    a, b = ay < 0 or (ay == 0 and ax < 0), by < 0 or (by == 0 and bx < 0)
+    return a - b or (ay * bx > ax * by) - (ay * bx < ax * by)
+
+
+def compare(a: Angle, b: Angle) -> int:
+    """Return the sign of a - b."""
+    return (a[0] > b[0]) - (a[0] < b[0]) or argument_sign(*a[1:], *b[1:])
+
+
+ORDER = cmp_to_key(compare)
+
+
+def add(a: Angle, b: Angle) -> Angle:
+    """Return a + b: a turn is full if the argument of the product is below a factor's."""
+    x, y = a[1] * b[1] - a[2] * b[2], a[1] * b[2] + a[2] * b[1]
+    g = math.gcd(x, y)
+    return a[0] + b[0] + (argument_sign(x, y, *a[1:]) < 0), x // g, y // g
+
+
+def sub(a: Angle, b: Angle) -> Angle:
+    """Return a - b."""
+    x, y = a[1] * b[1] + a[2] * b[2], a[2] * b[1] - a[1] * b[2]
+    g = math.gcd(x, y)
+    return a[0] - b[0] - (argument_sign(*a[1:], *b[1:]) < 0), x // g, y // g
+
+
+def eighths(n: int) -> Angle:
+    """Return n eighths of a turn."""
+    directions = ((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1))
+    return n // 8, *directions[n % 8]
+
+
+def floor_eighths(a: Angle) -> int:
+    """Return how many whole eighths of a turn an angle holds."""
+    (t, x, y), n = a, 0
+    if argument_sign(x, y, -1, 0) >= 0:
+        x, y, n = -x, -y, 4
+    if x <= 0:
+        x, y, n = y, -x, n + 2
+    return 8 * t + n + (y >= x)
+
+
+def remainder(a: Angle, e: int) -> Angle:
+    """Return a in [0, T), where T is e eighths of a turn."""
+    return add(a, eighths(-(floor_eighths(a) // e) * e))
+
+
+def convex_hull(points: list[tuple[Fraction, Fraction]]) -> list[Corner]:
+    """Return the strict corners, counter-clockwise, from the one of smallest number."""
+    scale = math.lcm(*(number.denominator for point in points for number in point))
+    numbered = {(int(x * scale), int(y * scale)): 0 for x, y in points}
+    for k, (x, y) in reversed(list(enumerate(points))):
+        numbered[int(x * scale), int(y * scale)] = k  # of repeated vertices, the first
+    corners = sorted((x, y, k) for (x, y), k in numbered.items())
+    halves = []
+    for row in (corners, corners[::-1]):
+        chain: list[tuple[int, int, int]] = []
+        for c in row:
+            while len(chain) > 1 and cross(chain[-2], chain[-1], c) <= 0:
+                chain.pop()
+            chain.append(c)
+        halves += chain[:-1]
+    if len(halves) < 3:
+        raise InvalidClaimError("part", "the outline has no area")
+    start = min(range(len(halves)), key=lambda n: halves[n][2])
+    return [(k, x, y) for x, y, k in halves[start:] + halves[:start]]
+
+
+def cross(a: tuple[int, int, int], b: tuple[int, int, int], c: tuple[int, int, int]) -> int:
+    """Return twice the signed area of a triangle."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def contacts(hull: list[Corner], a: Angle) -> tuple[list[Corner], list[Corner]]:
+    """Return the corners on the lower and on the upper jaw, from left to right along them."""
+    heights = [x * a[2] + y * a[1] for _, x, y in hull]
+    low, high = min(heights), max(heights)
+    sides = [[c for c, h in zip(hull, heights, strict=True) if h == end] for end in (low, high)]
+    lower, upper = (sorted(side, key=lambda c: along(c, a)) for side in sides)
+    return lower, upper
+
+
+def along(corner: Corner, a: Angle) -> int:
+    """Return the position of a corner along the jaws."""
+    return corner[1] * a[1] - corner[2] * a[2]
+
+
+def extrema(hull: list[Corner]) -> tuple[list[Angle], list[Angle]]:
+    """Return all strict maxima and minima of the diameter, in [0, 180) degrees, sorted.
+
+    Between two flush edges the same corners touch. The slope of the diameter is the upper contact
+    less the lower one, along the jaws: just after a flush orientation the right end of the upper
+    and the left end of the lower side touch, just before it the other ends. In between, the slope
+    falls to zero where the chord of the contacts stands upright.
+    """
+    flush = set()
+    for a, b in zip(hull, hull[1:] + hull[:1], strict=True):
+        g = math.gcd(b[1] - a[1], a[2] - b[2])
+        flush.add(remainder((0, (b[1] - a[1]) // g, (a[2] - b[2]) // g), 4))
+    maxima, minima = [], []
+    turns = sorted(flush, key=ORDER)
+    for here, following in zip(turns, [*turns[1:], add(turns[0], eighths(4))], strict=True):
+        lower, upper = contacts(hull, here)
+        before = along(upper[0], here) - along(lower[-1], here)
+        after = along(upper[-1], here) - along(lower[0], here)
+        if before < 0 < after:
+            minima.append(here)
+        p, q = lower[0], upper[-1]
+        if after > 0 > along(q, following) - along(p, following):
+            g = math.gcd(q[2] - p[2], q[1] - p[1])
+            maxima.append(remainder((0, (q[2] - p[2]) // g, (q[1] - p[1]) // g), 4))
+    return sorted(maxima, key=ORDER), minima
+
+
+class Squeeze:
+    """The squeeze function of a hull: b_k and v_k for all whole k, period e eighths of a turn."""
+
+    def __init__(self, hull: list[Corner]) -> None:
+        breaks, minima = extrema(hull)
+        # Each break is followed by a minimum, the last one perhaps half a turn on.
+        if compare(minima[0], breaks[0]) < 0:
+            minima = [*minima[1:], add(minima[0], eighths(4))]
+        rows, n = (breaks, minima), len(breaks)
+        # Rational directions differ by whole eighths of a turn or by irrational turns, so no
+        # other periods come into question.
+        for parts in (4, 2, 1):
+            self.e, self.m = 4 // parts, n // parts
+            pairs = [pair for row in rows for pair in zip(row, row[self.m :], strict=False)]
+            if n % parts == 0 and all(b == add(a, eighths(self.e)) for a, b in pairs):
+                break
+        self.breaks, self.values = breaks[: self.m], minima[: self.m]
+
+    def at(self, row: list[Angle], k: int) -> Angle:
+        """Return entry k of a row that repeats with the period."""
+        return add(row[k % self.m], eighths(k // self.m * self.e))
+
+    def apply(self, a: Angle, *, from_left: bool = False) -> Angle:
+        """Return s(a), or the value of s just before a."""
+        rest = remainder(a, self.e)
+        search = bisect_left if from_left else bisect_right
+        passed = search(self.breaks, ORDER(rest), key=ORDER)
+        return self.at(self.values, (floor_eighths(a) // self.e) * self.m + passed - 1)
+
+
+def preimages(s: Squeeze) -> list[dict[str, Any]]:
+    """Return the widest arcs with an image narrower than the last one, up to a period.
+
+    They begin at breaks: one pointer runs over the starts, one over the ends. Of equally wide ones
+    the narrowest image wins, then the first start; the rival is the best of the other starts.
+    """
+    b, v = ([s.at(row, k) for k in range(2 * s.m + 1)] for row in (s.breaks, s.values))
+    chain: list[dict[str, Any]] = []
+    while not chain or chain[-1]["width"] != eighths(s.e):
+        arcs: list[tuple[Angle, Angle, int, int]] = []
+        last = 0
+        for first in range(s.m):
+            last = max(last, first)
+            while chain and compare(sub(v[last + 1], v[first]), chain[-1]["width"]) < 0:
+                last += 1
+            arcs.append((sub(b[last + 1], b[first]), sub(v[last], v[first]), first, last))
+        arcs.sort(key=cmp_to_key(arc_order))
+        width, image_width, first, last = arcs[0]
+        arc: dict[str, Any] = {
+            "steps": len(chain) + 1,
+            "first": first,
+            "last": last,
+            "start": b[first],
+        }
+        arc |= {"width": width, "image_start": v[first], "image_width": image_width, "rival": None}
+        if s.m > 1:
+            arc["rival"] = {"first": arcs[1][2], "width": arcs[1][0]}
+        chain.append(arc)
+    return chain
+
+
+def arc_order(p: tuple[Angle, Angle, int, int], q: tuple[Angle, Angle, int, int]) -> int:
+    """Compare arcs (width, image width, first, last): the better one is smaller."""
+    return compare(q[0], p[0]) or compare(p[1], q[1])
+
+
+def costs(chain: list[dict[str, Any]], c: Fraction) -> tuple[int, list[dict[str, Any]]]:
+    """Return the best length, and each length's (i + c) and how its cost compares with the best."""
+    rows = [(i + c, arc["width"]) for i, arc in enumerate(chain, start=1)]
+    best = rows[0]
+    for p, a in rows[1:]:
+        best = (p, a) if cost_sign(p, a, *best) < 0 else best
+    signs = [{"numerator": str(p), "comparison": cost_sign(p, a, *best)} for p, a in rows]
+    return rows.index(best) + 1, signs
+
+
+def cost_sign(p: Fraction, a: Angle, q: Fraction, b: Angle) -> int:
+    """Return the sign of p / a - q / b, that is of n b - m a for whole n, m without common factor.
+
+    If neither angle is a multiple of 45 degrees, n b = m a makes (w / conj w)**n = (z / conj z)**m
+    for the directions w of b and z of a, so by unique factorisation of Gaussian integers w has an
+    m-th power of a prime of norm 5 or more, and z an n-th one: 4**m < |w|**2, 4**n < |z|**2. Within
+    these bounds the multiples are added up; elsewhere equality is out of the question (or plain,
+    for eighths of a turn), and enclosures of growing precision must differ.
+    """
+    n, m = (p / q).numerator, (p / q).denominator
+    plain = [0 in d[1:] or abs(d[1]) == abs(d[2]) for d in (a, b)]
+    if all(plain):
+        left, right = n * floor_eighths(b), m * floor_eighths(a)
+        return (left > right) - (left < right)
+    bounds = [(d[1] ** 2 + d[2] ** 2).bit_length() for d in (a, b)]
+    if not any(plain) and 2 * n <= bounds[0] and 2 * m <= bounds[1]:
+        return compare(reduce(add, [b] * n), reduce(add, [a] * m))
+    bits = 64
+    while abs(difference := n * in_eighths(b, bits) - m * in_eighths(a, bits)) <= 4 * (n + m):
+        bits *= 2
+    return 1 if difference > 0 else -1
+
+
+def in_eighths(a: Angle, bits: int) -> int:
+    """Return a / 45 degrees times 2**bits, off by less than 4."""
+    one, whole = 1 << (bits + 64), floor_eighths(a)
+    _, x, y = add(a, eighths(-whole))
+    # 64 spare bits cover the roundings of the series, fewer than 2**16 of them.
+    eighth = 4 * arctan(one // 5, one) - arctan(one // 239, one)
+    return (whole << bits) + ((arctan(y * one // x, one) * one // eighth) >> 64)
+
+
+def arctan(t: int, one: int) -> int:
+    """Return about one * arctan(t / one), 0 <= t <= one: three halvings and the Taylor series."""
+    for _ in range(3):
+        t = t * one // (one + math.isqrt(one * one + t * t))
+    total, power, k = 0, t, 1
+    while power:
+        total += power // k if k % 4 == 1 else -(power // k)
+        power, k = power * t // one * t // one, k + 2
+    return 8 * total
+
+
+def actions(chain: list[dict[str, Any]], nominal: list[Angle]) -> list[dict[str, Any]]:
+    """Return the actions of the plan that begins with the last arc of the chain."""
+    found: list[dict[str, Any]] = [{"angle": eighths(0), "low": None, "high": None}]
+    for here, goal, angle in zip(chain[::-1], chain[-2::-1], nominal[1:], strict=False):
+        end = add(here["image_start"], here["image_width"])
+        low = sub(end, add(goal["start"], goal["width"]))
+        high = sub(here["image_start"], goal["start"])
+        if compare(angle, low) <= 0 or compare(angle, high) > 0:
+            raise InvalidClaimError(f"plan.actions[{len(found)}].angle", "outside (low, high]")
+        found.append({"angle": angle, "low": low, "high": high})
+    return found
+
+
+def run_forward(s: Squeeze, chain: list[dict[str, Any]], plan: list[dict[str, Any]]) -> None:
+    """Run the mouth through the plan: it must collapse inside the ranges, and not at a lower end.
+
+    Just above a lower end, the step just before the sum applies. At a lower end the plan must fail
+    if the actions before it stand just above theirs (else an image may be narrower than allowed).
+    """
+    goal = remainder(chain[0]["image_start"], 8)
+
+    def ends(choice: list[str]) -> list[Angle]:
+        start, end = chain[-1]["start"], add(chain[-1]["start"], chain[-1]["width"])
+        ends = [s.apply(start), s.apply(end, from_left=True)]
+        for action, which in zip(plan[1:], choice, strict=True):
+            turned = [sub(end, action[which.removesuffix("+")]) for end in ends]
+            ends = [s.apply(end, from_left=which == "low+") for end in turned]
+        return [remainder(end, 8) for end in ends]
+
+    n = len(plan) - 1
+    for which in ("angle", "high", "low+"):
+        if ends([which] * n) != [goal, goal]:
+            raise InvalidClaimError("plan", f"does not collapse the mouth at {which} of all")
+    for k in range(n):
+        if ends(["low+"] * k + ["low"] + ["angle"] * (n - 1 - k)) == [goal, goal]:
+            raise InvalidClaimError(f"plan.actions[{k + 1}].low", "the plan works there as well")
+
+
+def certify(document: Any) -> dict[str, Any]:
+    """Return what a certificate must say, given its outline, cost ratio, steps and angles."""
+    part, plan = read(document, "part", dict), read(document, "plan", dict)
+    points = []
+    for k, pair in enumerate(read(part, "vertices", list)):
+        if not isinstance(pair, list) or len(pair) != 2:
+            raise NoCertificateError(f"part.vertices[{k}]", "not a pair")
+        points.append((rational(pair[0]), rational(pair[1])))
+    cost_ratio = rational(read(document, "cost_ratio", str))
+    if cost_ratio < 0:
+        raise InvalidClaimError("cost_ratio", "negative")
+    hull = convex_hull(points)
+    s = Squeeze(hull)
+    chain = preimages(s)
+    best, compared = costs(chain, cost_ratio)
+    steps = read(plan, "steps", int)
+    if not 1 <= steps <= len(chain):
+        raise InvalidClaimError("plan.steps", f"not in 1 to {len(chain)}")
+    used = chain[:steps]
+    nominal = [read_angle(read(action, "angle", dict)) for action in read(plan, "actions", list)]
+    listed = actions(used, nominal)
+    run_forward(s, used, listed)
+    return {
+        "schema": SCHEMA,
+        "action": "squeeze",
+        "part": {"name": part.get("name"), "vertices": part["vertices"]},
+        "hull": [k for k, _, _ in hull],
+        "period": eighths(s.e),
+        "breaks": touching(hull, s.breaks),
+        "values": touching(hull, s.values),
+        "preimages": chain,
+        "cost_ratio": document["cost_ratio"],
+        "costs": compared,
+        "optimal_steps": best,
+        "plan": {
+            "steps": steps,
+            "mouth": {"start": used[-1]["start"], "width": used[-1]["width"]},
+            "actions": listed,
+            "final_orientation": chain[0]["image_start"],
+            "optimal": steps == best,
+            "orients_up_to_symmetry": steps == len(chain),
+        },
+    }
+
+
+def touching(hull: list[Corner], row: list[Angle]) -> list[dict[str, Any]]:
+    """Return angles with the vertices on both jaws: two upright ones, or a flush edge."""
+    sides = [contacts(hull, a) for a in row]
+    numbers = [[[c[0] for c in side] for side in pair] for pair in sides]
+    return [{"angle": a, "lower": p, "upper": q} for a, (p, q) in zip(row, numbers, strict=True)]
+
+
+def read(value: Any, key: str, kind: type) -> Any:
+    """Return a member of the right type."""
+    if not isinstance(value, dict) or type(value.get(key)) is not kind:
+        raise NoCertificateError(key, f"missing, or not a JSON {kind.__name__}")
+    return value[key]
+
+
+def rational(text: Any) -> Fraction:
+    """Read "p" or "p/q" in lowest terms."""
+    number = re.fullmatch(r"(0|-?[1-9][0-9]*)(?:/([1-9][0-9]*))?", str(text)[: 2 * MAX_DIGITS])
+    if not isinstance(text, str) or len(text) > MAX_DIGITS or not number:
+        raise NoCertificateError("number", f"{str(text)[:60]!r} is not p or p/q as text")
+    value = Fraction(int(number[1]), int(number[2] or 1))
+    if text != str(value):
+        raise NoCertificateError("number", f"{text[:60]!r} is not in lowest terms")
+    return value
+
+
+def read_angle(value: dict[str, Any]) -> Angle:
+    """Read an angle; whether it is canonical shows when it is compared."""
+    direction = read(value, "direction", list)
+    x, y = (rational(number) for number in direction) if len(direction) == 2 else (0, 0)
+    if x.denominator != 1 or y.denominator != 1 or not (x or y):
+        raise NoCertificateError("direction", f"{str(direction)[:60]} is no pair of whole numbers")
+    g = math.gcd(int(x), int(y))
+    return read(value, "turns", int), int(x) // g, int(y) // g
+
+
+def difference(claimed: Any, true: Any, place: str = "") -> tuple[str, Any, Any] | None:
+    """Return the first place where a claim differs from what holds."""
+    if isinstance(true, tuple):
+        true = {"turns": true[0], "direction": [str(true[1]), str(true[2])]}
+    if type(claimed) is not type(true):
+        return place, claimed, true
+    if isinstance(true, dict):
+        if set(claimed) != set(true):
+            return place, sorted(claimed), sorted(true)
+        places = [(claimed[key], true[key], f"{place}.{key}".lstrip(".")) for key in true]
+    elif isinstance(true, list):
+        if len(claimed) != len(true):
+            return place, f"{len(claimed)} entries", f"{len(true)} entries"
+        pairs = zip(claimed, true, strict=True)
+        places = [(a, b, f"{place}[{k}]") for k, (a, b) in enumerate(pairs)]
+    else:
+        return None if claimed == true else (place, claimed, true)
+    return next((found for found in (difference(*item) for item in places) if found), None)
+
+
+def load(text: str) -> Any:
+    """Parse a certificate's text."""
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        if len({key for key, _ in pairs}) < len(pairs):
+            raise ValueError("a key occurs twice in one object")
+        return dict(pairs)
+
+    if len(text) > MAX_BYTES:
+        raise NoCertificateError("file", f"more than {MAX_BYTES} characters")
+    try:
+        found = json.loads(text, object_pairs_hook=unique)
+    except (ValueError, RecursionError) as error:
+        raise NoCertificateError("file", f"not JSON: {str(error)[:100]}") from None
+    schema = found.get("schema") if isinstance(found, dict) else None
+    if schema != SCHEMA:
+        raise NoCertificateError("schema", f"{str(schema)[:60]!r}; accepted: {SCHEMA!r}")
+    return found
+
+
+def check(document: Any) -> None:
+    """Raise `InvalidClaimError` with the first claim that fails."""
+    found = difference(document, certify(document))
+    if found:
+        place, claimed, true = (str(item)[:200] for item in found)
+        raise InvalidClaimError(place, f"claimed {claimed}, but {true} holds")
+
+
+def main(arguments: list[str]) -> int:
+    """Check the file named; say "valid", or the first claim that fails."""
+    try:
+        with Path(arguments[0]).open("rb") as file:
+            check(load(file.read(MAX_BYTES + 1).decode()))
+    except (NoCertificateError, OSError, UnicodeDecodeError, IndexError) as error:
+        sys.stderr.write(f"no certificate: {error}\n")
+        return 2
+    except InvalidClaimError as error:
+        sys.stdout.write(f"invalid: {error}\n")
+        return 1
+    sys.stdout.write("valid\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
