@@ -5,11 +5,17 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
+from stochgeom.exact.decimals import Rounding
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.plans import FeedingPlan
+
+CONVENTION = (
+    "Angles are degrees counter-clockwise, each relative to the gripper's last pose. Up to\n"
+    "symmetry means: of the squeeze function, which cannot tell those orientations apart."
+)
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
@@ -29,6 +35,7 @@ def plan_text(
         blocks.append(
             _plan_block("Shortest plan that orients the part up to symmetry", geometric, digits)
         )
+    blocks.append(CONVENTION)
     blocks.append(_costs_block(problem, optimal, digits))
     blocks.append(_summary(optimal))
     if not same:
@@ -47,6 +54,8 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
             f"{len(transfer) * transfer.order} stable orientations in a full turn"
         ),
     ]
+    if part.has_given_center and part.center_of_mass_side < 0:
+        lines.append("the centre of mass lies outside the hull; squeezing does not depend on it")
     if part.holes:
         lines.append(
             f"{count(len(part.holes), 'hole')}: jaws touch the convex hull only, so holes just "
@@ -64,28 +73,29 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
         if step in steps:
             rows[step] = [
                 str(step),
-                "random" if action.low is None else action.angle.degrees(digits),
-                _range_text(action, digits),
+                *_angle_and_range(action, digits),
                 str(len(outcome)),
                 outcome.most_likely().decimal(digits),
             ]
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
-    text = f"{title} (angles in degrees)\n{table(header, [rows[step] for step in steps])}"
-    if any(_looks_empty(plan.actions[step - 1], digits) for step in steps if step is not None):
-        text += "\n  ranges narrower than the decimals show have equal ends; --digits shows more"
-    return text
+    return f"{title}\n{table(header, [rows[step] for step in steps])}"
 
 
-def _range_text(action: Action, digits: int) -> str:
+def _angle_and_range(action: Action, digits: int) -> tuple[str, str]:
+    """Return decimals that work as they stand, with more digits than asked for if need be.
+
+    The range is rounded inwards, and the angle lies inside the rounded range: who types in what
+    is printed gets a plan that works.
+    """
     if action.low is None or action.high is None:
-        return "any angle"
-    return f"({action.low.degrees(digits)}, {action.high.degrees(digits)}]"
-
-
-def _looks_empty(action: Action, digits: int) -> bool:
-    if action.low is None or action.high is None:
-        return False
-    return action.low.degrees(digits) == action.high.degrees(digits)
+        return "random", "any angle"
+    while True:
+        low = action.low.degrees(digits, Rounding.UP)
+        high = action.high.degrees(digits, Rounding.DOWN)
+        angle = action.angle.degrees(digits)
+        if mpq(low) < mpq(angle) <= mpq(high):
+            return angle, f"({low}, {high}]"
+        digits += 1
 
 
 def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str:

@@ -7,7 +7,7 @@ from typing import final
 
 from gmpy2 import mpq
 
-from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.ratios import TurnRatio
 
 
@@ -53,4 +53,4 @@ class Hyperstate:
     @property
     def total(self) -> Angle:
         """The sum of the widths: a full turn."""
-        return sum(self.widths, start=FULL_TURN - FULL_TURN)
+        return sum(self.widths, start=ZERO)

@@ -32,7 +32,7 @@ from stochgeom.exact.balls import (
     rational_ball,
     sign_by_refinement,
 )
-from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
 from stochgeom.exact.eighths import eighths_of, fold, octant_of, turn_eighths
 from stochgeom.exact.predicates import compare_arguments
 from stochgeom.exact.scalars import (
@@ -161,15 +161,15 @@ class Angle:
         eighths = eighths_of(self._x, self._y)
         return None if eighths is None else self._t + mpq(eighths, 8)
 
-    def degrees(self, digits: int = 4) -> str:
-        """Return degrees as a correctly rounded decimal (ties to even).
+    def degrees(self, digits: int = 4, rounding: Rounding = Rounding.NEAREST) -> str:
+        """Return degrees as a correctly rounded decimal (ties to even, unless told otherwise).
 
         Examples
         --------
         >>> Angle(0, (3, 2)).degrees(), Angle(0, (0, 1)).degrees(1)
         ('33.6901', '90.0')
         """
-        return self._decimal(360, digits)
+        return self._decimal(360, digits, rounding)
 
     def turns(self, digits: int = 4) -> str:
         """Return turns as a correctly rounded decimal (ties to even).
@@ -179,13 +179,13 @@ class Angle:
         >>> Angle(2, (3, 2)).turns(6)
         '2.093584'
         """
-        return self._decimal(1, digits)
+        return self._decimal(1, digits, Rounding.NEAREST)
 
-    def _decimal(self, unit: int, digits: int) -> str:
+    def _decimal(self, unit: int, digits: int, rounding: Rounding) -> str:
         exact = self.rational_turns
         if exact is not None:
-            return rational_decimal(exact * unit, digits)
-        return certified_decimal(lambda: self.ball() * unit, digits)
+            return rational_decimal(exact * unit, digits, rounding)
+        return certified_decimal(lambda: self.ball() * unit, digits, rounding)
 
     def ball(self) -> Ball:
         """Return an Arb ball around the number of turns, at the working precision."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable
+from enum import Enum
 from typing import SupportsIndex
 
 import flint
@@ -22,24 +23,40 @@ MAX_DIGITS = 100_000
 """Most decimals that may be asked for."""
 
 
-def rational_decimal(value: mpq | int, digits: int) -> str:
-    """Return `value` with `digits` decimals after the point, ties to even.
+class Rounding(Enum):
+    """Which neighbouring decimal stands for a number between two of them."""
+
+    NEAREST = "nearest, ties to even"
+    DOWN = "not above"
+    UP = "not below"
+
+
+def rational_decimal(value: mpq | int, digits: int, rounding: Rounding = Rounding.NEAREST) -> str:
+    """Return `value` with `digits` decimals after the point.
 
     Examples
     --------
     >>> rational_decimal(mpq(2, 3), 4), rational_decimal(mpq(1, 8), 2), rational_decimal(5, 0)
     ('0.6667', '0.12', '5')
+    >>> rational_decimal(mpq(-1, 3), 2, Rounding.UP), rational_decimal(mpq(-1, 3), 2, Rounding.DOWN)
+    ('-0.33', '-0.34')
     """
     digits = check_digits(digits)
     scaled = mpq(value) * mpz(10) ** digits
     whole, rest = f_divmod(scaled.numerator, scaled.denominator)
     twice = 2 * rest
-    if twice > scaled.denominator or (twice == scaled.denominator and whole % 2):
+    if rounding is Rounding.UP:
+        whole += rest > 0
+    elif rounding is Rounding.NEAREST and (
+        twice > scaled.denominator or (twice == scaled.denominator and whole % 2)
+    ):
         whole += 1
     return _place_point(whole, digits)
 
 
-def certified_decimal(enclose: Callable[[], Ball], digits: int) -> str:
+def certified_decimal(
+    enclose: Callable[[], Ball], digits: int, rounding: Rounding = Rounding.NEAREST
+) -> str:
     """Return the irrational number inside `enclose()` with `digits` decimals.
 
     Parameters
@@ -48,6 +65,8 @@ def certified_decimal(enclose: Callable[[], Ball], digits: int) -> str:
         Returns a ball around the number, computed at the working precision.
     digits : int
         Decimals after the point.
+    rounding : Rounding
+        To the nearest decimal, or to the one below or above.
 
     Raises
     ------
@@ -66,9 +85,12 @@ def certified_decimal(enclose: Callable[[], Ball], digits: int) -> str:
     scale = 10**digits
     while bits <= MAX_BITS:
         with working_precision(bits):
-            rounded = (enclose() * scale + flint.arb(1) / 2).floor().unique_fmpz()
-        if rounded is not None:
-            return _place_point(mpz(int(rounded)), digits)
+            scaled = enclose() * scale
+            if rounding is Rounding.NEAREST:
+                scaled += flint.arb(1) / 2
+            whole = scaled.floor().unique_fmpz()
+        if whole is not None:  # an irrational number is never whole: one more is above it
+            return _place_point(mpz(int(whole)) + (rounding is Rounding.UP), digits)
         bits *= 2
     raise PrecisionLimitError(f"{digits} decimals are still undecided at {MAX_BITS} bits")
 

@@ -188,8 +188,12 @@ class AngleVector(Sequence[Angle]):
     @cached_property
     def error(self) -> float:
         """The proven bound on the shadow's error, see the module docstring."""
-        largest = max((abs(int(t)) for t in _extremes(self.turn_parts)), default=0)
-        return (2 + largest) * ERROR_PER_TURN
+        return (2 + self.largest_turn) * ERROR_PER_TURN
+
+    @cached_property
+    def largest_turn(self) -> int:
+        """The largest absolute value of the turn parts, rounded towards zero."""
+        return max((abs(int(t)) for t in _extremes(self.turn_parts)), default=0)
 
     def to_float(self) -> FloatArray:
         """Return radians as float64, for plots: each within `error`."""

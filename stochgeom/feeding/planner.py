@@ -172,7 +172,9 @@ def _cost_ratio(value: RationalLike) -> mpq:
     try:
         c = rational(value, where="cost ratio")
     except NumberError as error:
-        raise CostError(error.message, where="cost ratio") from error
+        raise CostError(
+            f"{error.message}; a cost ratio is 0 or more", where="cost ratio"
+        ) from error
     if c < 0:
         raise CostError(f"{c} is negative; accepted: 0 or more", where="cost ratio")
     return c

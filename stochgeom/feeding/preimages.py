@@ -164,5 +164,20 @@ def preimages(transfer: StepFunction) -> Preimages:
     ----------
     transfer : StepFunction
         Any monotone step map, such as `stochgeom.transfer.squeeze.squeeze_function` gives.
+
+    Raises
+    ------
+    InputError
+        If it is anything else.
+
+    Examples
+    --------
+    >>> from stochgeom.transfer.squeeze import squeeze_function
+    >>> [p.steps for p in preimages(squeeze_function([(0, 0), (1, 0), (1, 1), (0, 1)]))]
+    [1]
     """
+    if not isinstance(transfer, StepFunction):
+        raise InputError(
+            f"{transfer!r:.60} is no StepFunction; accepted: one, such as squeeze_function(part)"
+        )
     return Preimages(transfer)

@@ -17,6 +17,7 @@ antipodal pair of that interval, which is what the calipers give.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
@@ -25,7 +26,7 @@ import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import NotRationalError
+from stochgeom.errors import NotRationalError, NumberLimitError
 from stochgeom.exact.angles import HALF_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.lifted import LiftedAngles
@@ -33,8 +34,8 @@ from stochgeom.exact.predicates import IntArray, dot_signs, half_planes, sign
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.calipers import Calipers, rotate_calipers
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import Point
+from stochgeom.geometry.part import Part, as_part
+from stochgeom.geometry.points import Point, PointLike
 
 if TYPE_CHECKING:
     import sympy
@@ -91,21 +92,24 @@ class DiameterFunction:
 
     Parameters
     ----------
-    part : Part
+    part : Part, or its vertices
         Any part; only its convex hull matters.
 
     Examples
     --------
-    >>> d = DiameterFunction(Part([(0, 0), (3, 0), (3, 2), (0, 2)]))
+    >>> d = DiameterFunction([(0, 0), (3, 0), (3, 2), (0, 2)])
     >>> [angle.degrees(2) for angle in d.minima], [angle.degrees(2) for angle in d.maxima]
     (['0.00', '90.00'], ['56.31', '123.69'])
     >>> d.squared(Angle(0, (3, 4)))
     mpq(324,25)
     """
 
-    def __init__(self, part: Part) -> None:
-        self.part = part
-        self._hull = part.hull
+    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any]) -> None:
+        self.part = as_part(part)
+        self._hull = self.part.hull
+
+    def __repr__(self) -> str:
+        return f"DiameterFunction({self.part!r})"
 
     @cached_property
     def calipers(self) -> Calipers:
@@ -219,7 +223,7 @@ class DiameterFunction:
 
         Examples
         --------
-        >>> DiameterFunction(Part([(0, 0), (1, 0), (0, 1)])).squared(Angle(0, (1, 1)))
+        >>> DiameterFunction([(0, 0), (1, 0), (0, 1)]).squared(Angle(0, (1, 1)))
         mpq(1,2)
         """
         if theta.turn_part.denominator != 1:
@@ -243,21 +247,34 @@ class DiameterFunction:
 
         Examples
         --------
-        >>> DiameterFunction(Part([(0, 0), (3, 0), (3, 2), (0, 2)])).potential(Angle())
+        >>> DiameterFunction([(0, 0), (3, 0), (3, 2), (0, 2)]).potential(Angle())
         mpq(2,1)
         """
         return rational(stiffness, where="stiffness") * self.squared(theta) / 2
+
+    @cached_property
+    def _float_chords(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Chords of all pieces, each component the rounded exact difference."""
+        chords = [self._chord(piece) for piece in range(len(self.transitions))]
+        try:
+            x, y = (
+                np.array([int(c[k].numerator) / int(c[k].denominator) for c in chords])
+                for k in (0, 1)
+            )
+        except OverflowError:
+            raise NumberLimitError(
+                "a chord is too long for a float; accepted: parts below 1e308, or Part.scale"
+            ) from None
+        return x, y
 
     def evaluate(self, theta: NDArray[np.float64] | float) -> NDArray[np.float64]:
         """Return float diameters at float radians, for plots and float comparisons."""
         rest = np.mod(np.asarray(theta, dtype=np.float64), np.pi)
         piece = np.searchsorted(self.transitions.shadow, rest, side="right") - 1
-        x, y = self._hull.points.to_float()
-        lower, upper = self.calipers.lower[piece], self.calipers.upper[piece]
+        x, y = self._float_chords
         # Before transition 0 the last piece runs with its contacts exchanged: d = -(its formula).
         flip = np.where(piece < 0, -1.0, 1.0)
-        dx, dy = x[upper] - x[lower], y[upper] - y[lower]
-        value: NDArray[np.float64] = flip * (dx * np.sin(rest) + dy * np.cos(rest))
+        value: NDArray[np.float64] = flip * (x[piece] * np.sin(rest) + y[piece] * np.cos(rest))
         return value
 
     def to_sympy(self, theta: Any = None) -> sympy.Expr:
@@ -266,7 +283,7 @@ class DiameterFunction:
         Examples
         --------
         >>> import sympy
-        >>> d = DiameterFunction(Part([(0, 0), (3, 0), (3, 2), (0, 2)]))
+        >>> d = DiameterFunction([(0, 0), (3, 0), (3, 2), (0, 2)])
         >>> d.to_sympy().subs("theta", sympy.pi / 4)
         5*sqrt(2)/2
         """
@@ -278,7 +295,10 @@ class DiameterFunction:
             if not end:
                 continue  # nothing lies before a transition at 0
             sense, piece = (-1, len(self.transitions) - 1) if t == 0 else (1, t - 1)
-            x, y = (sympy.Rational(str(sense * value)) for value in self._chord(piece))
+            x, y = (
+                sympy.Rational(sense * int(value.numerator), int(value.denominator))
+                for value in self._chord(piece)
+            )
             formula = x * sympy.sin(symbol) + y * sympy.cos(symbol)
             branches.append((formula, symbol < end.to_sympy()))
         return sympy.Piecewise(*branches)

@@ -10,7 +10,7 @@ import gmpy2
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import InputError, InvalidHoleError, NotRationalError
+from stochgeom.errors import InputError, InvalidHoleError, InvalidPartError, NotRationalError
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.geometry.hull import ConvexHull, convex_hull, convex_outline, locate
 from stochgeom.geometry.outline import Mass, check_outline, mass_of, without_repeats
@@ -241,4 +241,8 @@ def _points_text(points: Iterable[Point]) -> str:
 
 def as_part(part: Part | Iterable[PointLike] | NDArray[Any]) -> Part:
     """Return a part as it is, or make one of its vertices."""
+    if isinstance(part, str):
+        raise InvalidPartError(
+            f"{part!r:.60} is text; accepted: a Part or vertices (load_part takes names and files)"
+        )
     return part if isinstance(part, Part) else Part(part)

@@ -7,15 +7,19 @@ apart than their error, and by exact angles elsewhere.
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from typing import Final
 
 import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import InvalidStepFunctionError
+from stochgeom.errors import InvalidStepFunctionError, NumberLimitError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.predicates import Signs
 from stochgeom.exact.vectors import AngleVector
+
+MAX_TURNS: Final = 2**31
+"""Step functions are lifted by fewer turns than this, so that step numbers fit 64 bits."""
 
 
 def full_turn_share(period: Angle) -> int:
@@ -69,6 +73,13 @@ def canonical_steps(
 
 def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -> NDArray[np.bool_]:
     """Raise unless breaks increase and values do not decrease; tell where values rise."""
+    for vector, what in ((breaks, "breaks"), (values, "values")):
+        if vector.largest_turn >= MAX_TURNS:
+            raise NumberLimitError(
+                f"lifted by 2**{vector.largest_turn.bit_length() - 1} turns or more; accepted: "
+                f"fewer than {MAX_TURNS} (whole periods may be taken off all values)",
+                where=what,
+            )
     if not len(breaks) or len(breaks) != len(values):
         raise InvalidStepFunctionError(
             f"{len(breaks)} breaks and {len(values)} values; accepted: as many, at least one"

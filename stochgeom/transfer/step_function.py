@@ -13,6 +13,8 @@ from functools import cached_property
 from math import gcd
 from typing import final
 
+from gmpy2 import mpq
+
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
@@ -165,7 +167,7 @@ class StepFunction:
         >>> s.compose(s) == s
         True
         """
-        shared = Angle.from_turns("1/" + str(gcd(self.order, inner.order)))
+        shared = Angle.from_turns(mpq(1, gcd(self.order, inner.order)))
         count = len(inner) * (inner.order // full_turn_share(shared))
         breaks = [inner.lifted_breaks[k] for k in range(count)]
         values = [self(inner.lifted_values[k]) for k in range(count)]

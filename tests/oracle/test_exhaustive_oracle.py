@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchmarks.exhaustive import random_hull
+from benchmarks.exhaustive import in_parallel, random_hull, search_trial
 from stochgeom.decision.costs import length_bound, theorem_4_1_bound
 from stochgeom.errors import CostError, InputError
 from stochgeom.exact.angles import ZERO, Angle
@@ -110,6 +110,11 @@ def test_agreement_for_other_step_maps(s):
 def test_random_hulls_agree(index):
     """A small form of the experiments of sections 4.8 and 5.9."""
     assert agrees(squeeze_function(random_hull(index, seed=4))).solved
+
+
+def test_trials_do_not_depend_on_the_number_of_processes():
+    trials = list(in_parallel(search_trial, 4, 2, "two processes"))
+    assert trials == [search_trial(index) for index in range(4)]
 
 
 def test_the_search_tells_when_it_disagrees():

@@ -76,6 +76,7 @@ def test_other_outlines_are_not(outline):
         ([(2, 2), (4, 0), (0, 0), (0, 4), (4, 4)], [1, 4, 3, 2]),
         # of equal points the first is kept, and collinear ones are dropped
         ([(4, 0), (4, 0), (0, 0), (2, 0), (0, 4), (0, 0), (2, 2)], [0, 4, 2]),
+        ([*CIRCLE, *CIRCLE[2:5], (0, 0)], [0, 1, 2, 3, 4, 5, 6, 7, 11]),
         (PENTAGRAM, [0, 2, 4, 1, 3]),
         ([*CIRCLE, (0, 0), (Fraction(1, 2), Fraction(1, 3))], [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]),
     ],

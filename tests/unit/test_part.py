@@ -255,6 +255,7 @@ def test_holes_move_with_the_part():
         (lambda p: p.scale(-2), InputError, "accepted: positive numbers"),
         (lambda p: p.scale(0.5), FloatRefusedError, "from_float"),
         (lambda p: p.rotate((1, 1)), NotRationalError, "accepted: directions of rational length"),
+        (lambda p: p.rotate(("1/2", "1/2")), NotRationalError, "accepted: directions of rational"),
         (lambda p: p.rotate((0, 0)), NotRationalError, "accepted: directions of rational length"),
         (lambda p: p.rotate((1, 0.5)), FloatRefusedError, "from_float"),
         (lambda p: p.multiply((0, 0)), InputError, "maps the part to a point"),
