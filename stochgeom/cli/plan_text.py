@@ -13,8 +13,9 @@ from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.plans import FeedingPlan
 
 CONVENTION = (
-    "Angles are degrees counter-clockwise, each relative to the gripper's last pose. Up to\n"
-    "symmetry means: of the squeeze function, which cannot tell those orientations apart."
+    "Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges are\n"
+    "rounded inwards, so all of them works as printed. Up to symmetry means: of the squeeze\n"
+    "function, which cannot tell those orientations apart."
 )
 
 MOST_ROWS = 40

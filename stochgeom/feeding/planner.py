@@ -16,9 +16,10 @@ from typing import Any, Final, final
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import CostError, InputError, NumberError
+from stochgeom.decision.costs import as_cost_ratio
+from stochgeom.errors import InputError
 from stochgeom.exact.ratios import TurnRatio
-from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimages, preimages
 from stochgeom.geometry.part import Part, as_part
@@ -71,7 +72,7 @@ class FeedingProblem:
     def expected_cost(self, steps: int, cost_ratio: RationalLike = 1) -> TurnRatio:
         """Return the expected cost (i + c) 2 pi / h_i of the best plan of `steps` steps."""
         width = self.preimages.of_steps(steps).width
-        return TurnRatio(steps + _cost_ratio(cost_ratio), width, inverse=True)
+        return TurnRatio(steps + as_cost_ratio(cost_ratio), width, inverse=True)
 
     def probability(self, steps: int) -> TurnRatio:
         """Return the probability h_i / (2 pi) that the best plan of `steps` steps succeeds."""
@@ -89,11 +90,11 @@ class FeedingProblem:
             longest = max(preimage.steps for preimage in self.preimages)
             raise InputError(f"{steps} steps; accepted: 1 to {longest} for this part")
         chain = self.preimages.found()[:steps]
-        return FeedingPlan(self.transfer, chain, _cost_ratio(cost_ratio), self.part, self.action)
+        return FeedingPlan(self.transfer, chain, as_cost_ratio(cost_ratio), self.part, self.action)
 
     def optimal_plan(self, cost_ratio: RationalLike = 1) -> FeedingPlan:
         """Return the stochastically optimal plan (phase II)."""
-        c = _cost_ratio(cost_ratio)
+        c = as_cost_ratio(cost_ratio)
         best = self.expected_cost(1, c)
         steps = length = 1
         while not self._is_last(length):
@@ -166,15 +167,3 @@ def orient_up_to_symmetry(
     2
     """
     return FeedingProblem(part, action).geometric_plan(cost_ratio)
-
-
-def _cost_ratio(value: RationalLike) -> mpq:
-    try:
-        c = rational(value, where="cost ratio")
-    except NumberError as error:
-        raise CostError(
-            f"{error.message}; a cost ratio is 0 or more", where="cost ratio"
-        ) from error
-    if c < 0:
-        raise CostError(f"{c} is negative; accepted: 0 or more", where="cost ratio")
-    return c

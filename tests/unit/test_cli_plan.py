@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from fractions import Fraction
+from math import cos, sin, tau
 
 import pytest
 
@@ -27,14 +28,18 @@ HOUSE = """\
 house: 5 vertices, 5 on the convex hull
 squeeze function: 2 steps in a period of 180.0000 degrees, 4 stable orientations in a full turn
 
-Stochastically optimal plan (angles in degrees)
+Stochastically optimal plan
   step  rotate gripper by  works for  states left  probability
      1             random  any angle            4       0.3976
 
-Shortest plan that orients the part up to symmetry (angles in degrees)
+Shortest plan that orients the part up to symmetry
   step  rotate gripper by           works for  states left  probability
      1             random           any angle            4       0.3976
-     2            45.0000  (18.4349, 71.5651]            2       0.5000
+     2            45.0000  (18.4350, 71.5650]            2       0.5000
+
+Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges are
+rounded inwards, so all of them works as printed. Up to symmetry means: of the squeeze
+function, which cannot tell those orientations apart.
 
 Best plan of each length (a filter pass costs 1 squeeze time)
   steps  collapsed arc  probability  expected cost
@@ -95,8 +100,9 @@ class TestForPeople:
         assert [row.split()[-2] for row in block.splitlines()[2:]] == ["8", "6", "2"]
 
     def test_digits(self, capsys):
-        assert "(18, 72]" in report(capsys, "house", "--digits", "0")
-        assert "(18.434948822922, 71.565051177078]" in report(capsys, "house", "--digits", "12")
+        # Inwards: the range is 18.4349488229220107... to 71.5650511770779893...
+        assert "(19, 71]" in report(capsys, "house", "--digits", "0")
+        assert "(18.434948822923, 71.565051177077]" in report(capsys, "house", "--digits", "12")
 
     def test_a_part_without_a_name(self, capsys):
         text = report(capsys, "--vertices", SQUARE)
@@ -137,10 +143,20 @@ class TestForPeople:
         plan = next(b for b in text.split("\n\n") if b.startswith("Shortest plan"))
         assert [row.split()[0] for row in plan.splitlines()[2:]] == [*first, "...", *last]
 
-    def test_ranges_narrower_than_the_decimals_are_told_of(self, capsys):
-        note = "  ranges narrower than the decimals show have equal ends; --digits shows more"
-        assert note in report(capsys, "--vertices", NARROW, "--digits", "0").splitlines()
-        assert note not in report(capsys, "--vertices", NARROW, "--digits", "6").splitlines()
+    @pytest.mark.parametrize("digits", [0, 3])
+    def test_what_is_printed_works(self, capsys, digits):
+        """The seven-sided part has ranges that four decimals cannot show."""
+        corners = [
+            (round(1000 * cos(k * tau / 7)), round(1000 * sin(k * tau / 7))) for k in range(7)
+        ]
+        outline = " ".join(f"{x},{y}" for x, y in corners)
+        text = report(capsys, "--vertices", outline, "--digits", str(digits))
+        plan = FeedingProblem(corners).geometric_plan()
+        printed = re.findall(r"(-?[0-9.]+) +\((-?[0-9.]+), (-?[0-9.]+)\]", text)
+        assert len(printed) == plan.steps - 1 == 6
+        for action, texts in zip(plan.actions[1:], printed, strict=True):
+            angle, low, high = (Angle.from_degrees(number) for number in texts)
+            assert action.low <= low < angle <= high <= action.high
 
 
 def ladder(count):
