@@ -132,6 +132,10 @@ class ReadError(InputError):
     """A file is missing or cannot be read."""
 
 
+class WriteError(InputError):
+    """A file cannot be written."""
+
+
 class FormatError(InputError):
     """Text is not in one of the accepted formats."""
 

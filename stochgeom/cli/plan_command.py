@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 from typing import Any
 
 from stochgeom.cli.options import add_digits, read_digits
@@ -12,6 +13,7 @@ from stochgeom.cli.progress import Progress
 from stochgeom.errors import FormatError, InputError
 from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.geometry.part import Part
+from stochgeom.io.files import write_whole
 from stochgeom.io.load import load_part, part_of
 from stochgeom.io.outlines import Outline, parse_vertices
 from stochgeom.io.plan_json import plan_document
@@ -22,7 +24,7 @@ hold JSON, WKT POLYGON, or a vertex per line such as "3 2" or "3,2". Numbers are
 tenth. examples:
 
   stochgeom plan house
-  stochgeom plan outline.txt --cost-ratio 1/2
+  stochgeom plan outline.txt --cost-ratio 1/2 --certificate plan.json
   stochgeom plan --vertices "0,0 3,0 3,2 0,2" --json
 """
 
@@ -47,6 +49,11 @@ def add_parser(commands: Any) -> None:
         metavar="C",
         help="cost of the filter over the cost of an action, a rational >= 0; default 1",
     )
+    parser.add_argument(
+        "--certificate",
+        metavar="FILE",
+        help="also write the optimal plan with its proof; stochgeom verify FILE checks it",
+    )
     add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
     parser.set_defaults(run=run)
@@ -61,6 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
         for preimage in problem.preimages:
             progress.show(float(problem.probability(preimage.steps)) * problem.transfer.order)
     geometric = problem.geometric_plan(arguments.cost_ratio)
+    if arguments.certificate is not None:
+        write_whole(arguments.certificate, json.dumps(optimal.certificate(), indent=1) + "\n")
     if arguments.json:
         write_json(plan_document(problem, optimal, geometric, digits))
     else:

@@ -419,7 +419,7 @@ def agree(claimed: Any, true: Any, place: str) -> None:
     """Raise at the first place where a claim differs from what holds."""
     if isinstance(true, tuple):
         true = {"turns": true[0], "direction": [text(true[1]), text(true[2])]}
-    if isinstance(true, list) and isinstance(claimed, list):
+    if isinstance(true, list) and isinstance(claimed, list) and len(claimed) == len(true):
         claimed, true = dict(enumerate(claimed)), dict(enumerate(true))
     if isinstance(true, dict) and isinstance(claimed, dict) and claimed.keys() == true.keys():
         for key in true:
@@ -429,8 +429,9 @@ def agree(claimed: Any, true: Any, place: str) -> None:
 
 
 def shown(value: Any) -> str:
-    """Return a value as one short line of ASCII."""
-    return shortened(value).encode("ascii", "backslashreplace").decode()
+    """Return a value, or the keys of an object, as one short line of ASCII."""
+    line = shortened(list(value) if isinstance(value, dict) else value)
+    return line[:200].encode("ascii", "backslashreplace").decode()
 
 
 def load(data: bytes) -> Any:

@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.balls import working_precision
 from stochgeom.exact.forms import sign_of_form
+from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.vectors import AngleVector
 from tests.strategies import (
     TINY,
@@ -129,6 +130,21 @@ def test_radians_are_within_one_unit_in_the_last_place(angle):
     found, value = angle.to_float(), radians(angle)
     with mpmath.workdps(120):
         assert abs(mpmath.mpf(found) - value) <= np.spacing(abs(found))
+
+
+@pytest.mark.parametrize("digits", range(4, 60, 3))
+def test_radians_of_a_difference_of_almost_equal_angles(digits):
+    # A rational number of turns beside a direction: what is left after cancellation is 10**-digits.
+    angle = Angle(0, (3, 2))
+    near = Angle.from_degrees(angle.degrees(digits))
+    small = near - angle if near > angle else angle - near
+    found = small.to_float()
+    with mpmath.workdps(200):
+        value = abs(radians(near, 200) - radians(angle, 200))
+        assert abs(mpmath.mpf(found) - value) <= np.spacing(found)
+        ratio = float(TurnRatio(7, small))
+        assert abs(mpmath.mpf(ratio) - 7 * value / (2 * mpmath.pi)) <= np.spacing(ratio)
+    assert 0 < found < 10.0**-digits
 
 
 POINTS = 5_000

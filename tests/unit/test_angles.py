@@ -140,6 +140,14 @@ def test_order_by_hand():
             assert (a < b, a <= b, a == b, a > b, a >= b) == (i < j, i <= j, i == j, i > j, i >= j)
 
 
+def test_rational_turns_a_half_turn_apart():
+    low, high = Angle.from_degrees(71), Angle.from_degrees(251)
+    assert low < high
+    assert low.compare(high) == -high.compare(low) == -1
+    assert low.compare(low + ZERO) == 0
+    assert Angle("71/360", (3, 2)) < Angle("251/360", (3, 2)) < Angle("431/360", (3, 2))
+
+
 # --- arithmetic -----------------------------------------------------------------------------------
 
 

@@ -38,9 +38,11 @@ def deg(value):
 def check_near_the_middle(low, high):
     angle = nominal_angle(low, high)
     assert low < angle < high
-    # |angle - (low + high) / 2| <= width / 4, times four: no half is taken here.
-    off = 4 * angle - 2 * low - 2 * high
-    assert -(high - low) <= off <= high - low
+    # |angle - (low + high) / 2| is at most an eighth of the width, or a 2**-10th more than that.
+    eighth = (1 + mpq(1, 2**10)) / 8
+    for side in (1, -1):
+        off = [(side, angle), (-mpq(side, 2), low), (-mpq(side, 2), high)]
+        assert sign_of_form(0, [*off, (eighth, low), (-eighth, high)]) <= 0
     return angle
 
 

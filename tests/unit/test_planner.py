@@ -81,6 +81,25 @@ def test_dear_filters_ask_for_long_plans_and_cheap_ones_for_short_plans():
     assert lengths[-1] == problem.geometric_plan().steps > 2
 
 
+@pytest.mark.parametrize(
+    ("vertices", "c", "costs"),
+    [
+        ([(-1, -2), (2, -2), (1, 4), (-3, 3)], 0, ["6.098", "6.177", "6.000"]),
+        ([(-1, -2), (3, -1), (4, 1), (-1, 2)], 0, ["6.098", "6.419", "6.000"]),
+        (
+            [(-1, -1), (3, -3), (4, 3), (-3, 3)],
+            "1/3",
+            ["8.813", "8.719", "8.889", "8.667"],
+        ),
+    ],
+)
+def test_costs_may_rise_before_they_fall(vertices, c, costs):
+    """One more step that does not pay is no reason to stop."""
+    problem = FeedingProblem(vertices)
+    assert [problem.expected_cost(i + 1, c).decimal(3) for i in range(len(costs))] == costs
+    assert problem.optimal_plan(c).steps == len(costs)
+
+
 def test_no_more_preimages_are_computed_than_needed():
     problem = FeedingProblem(FOUR_STEPS)
     problem.optimal_plan(0)

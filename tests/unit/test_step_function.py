@@ -53,6 +53,19 @@ def test_the_period_may_be_no_rational_direction():
     assert (nearly.period, len(nearly)) == (FULL_TURN, 3)
 
 
+@pytest.mark.parametrize("order", [1, 2, 4, 8])
+def test_directions_repeat_after_eighths_of_a_turn(order):
+    """Breaks and values that are rational directions: found for every period they can have."""
+    starts = [deg(360 * k // order) for k in range(order)]
+    breaks = [start + Angle(0, (3, 1)) for start in starts]
+    values = [start + Angle(0, (2, 1)) for start in starts]
+    s = StepFunction(breaks, values)
+    assert (s.order, len(s)) == (order, 1)
+    assert s == StepFunction(breaks[:1], values[:1], deg(360) if order == 1 else starts[1])
+    values[-1] += Angle(0, (10**9, 1))
+    assert StepFunction(breaks, values).order == 1
+
+
 def test_equal_neighbours_are_merged():
     cut = StepFunction(deg(10, 17, 30, 100, 150), deg(20, 20, 40, 110, 110), HALF_TURN)
     assert cut == STAIRS

@@ -1,0 +1,114 @@
+"""``stochgeom plan --certificate`` and ``stochgeom verify``."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from stochgeom.feeding import certificate_checker
+from stochgeom.thesis.parts import catalogue_names
+from tests.commands import call
+
+
+@pytest.fixture
+def house(capsys, tmp_path):
+    """Return the path of a certificate of the house."""
+    path = tmp_path / "house.json"
+    assert call(capsys, "plan", "house", "--certificate", str(path)).code == 0
+    return path
+
+
+@pytest.mark.parametrize("name", catalogue_names())
+def test_what_plan_writes_verify_takes(capsys, tmp_path, name):
+    path = str(tmp_path / "plan.json")
+    assert call(capsys, "plan", name, "--cost-ratio", "1/2", "--certificate", path).code == 0
+    result = call(capsys, "verify", path)
+    assert (result.code, result.err) == (0, "")
+    assert result.out.startswith("valid: ")
+    assert f" for {name}: of least expected cost at a cost ratio of 1/2" in result.out
+
+
+def test_the_words_of_a_verdict(capsys, house, tmp_path):
+    result = call(capsys, "verify", str(house))
+    assert result.out == "valid: 1 squeeze for house: of least expected cost at a cost ratio of 1\n"
+    path = str(tmp_path / "rectangle.json")
+    call(capsys, "plan", "rectangle", "--certificate", path)
+    assert call(capsys, "verify", path).out == (
+        "valid: 2 squeezes for rectangle: of least expected cost at a cost ratio of 1, and the "
+        "fewest that orient it up to symmetry\n"
+    )
+
+
+def test_a_lie_is_named_and_the_exit_code_is_1(capsys, house):
+    document = json.loads(house.read_text())
+    document["preimages"][1]["last"] += 1  # from 1
+    house.write_text(json.dumps(document))
+    result = call(capsys, "verify", str(house))
+    assert (result.code, result.err) == (1, "")
+    assert result.out == "invalid: preimages.1.last: claimed 2, but 1 holds\n"
+    verdict = json.loads(call(capsys, "verify", str(house), "--json").out)
+    assert verdict["valid"] is False
+    assert verdict["claim"] == "preimages.1.last"
+
+
+def test_a_verdict_for_machines(capsys, house):
+    assert json.loads(call(capsys, "verify", str(house), "--json").out) == {
+        "schema": "stochgeom/verdict/1",
+        "valid": True,
+        "claim": None,
+        "message": "",
+    }
+
+
+def test_the_checker_runs_alone_where_nothing_is_installed(house, tmp_path):
+    alone = tmp_path / "alone.py"
+    alone.write_bytes(Path(certificate_checker.__file__).read_bytes())
+    command = [sys.executable, "-I", "-S", str(alone), str(house)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "valid\n", "")
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "not JSON"),
+        (b"[1, 2", "not JSON"),
+        (b"\xff\xfe", "not JSON"),
+        (b'{"schema": "stochgeom/certificate/2"}', "accepted: 'stochgeom/certificate/1'"),
+        (b"[]", "accepted: 'stochgeom/certificate/1'"),
+        (b'{"schema": "stochgeom/certificate/1"}', "part"),
+        (b'{"a": 1, "a": 2}', "twice"),
+        (b"[" * 100_000, "not JSON"),
+    ],
+)
+def test_files_that_are_no_certificates(capsys, tmp_path, content, words):
+    path = tmp_path / "plan.json"
+    path.write_bytes(content)
+    result = call(capsys, "verify", str(path))
+    assert result.code == 2
+    assert result.out == ""
+    assert words in result.err
+    assert str(path) in result.err
+    assert "accepted: what `stochgeom plan --certificate` writes" in result.err
+
+
+@pytest.mark.parametrize("path", ["no/such/file.json", "."])
+def test_files_that_cannot_be_read(capsys, path):
+    result = call(capsys, "verify", path)
+    assert result.code == 2
+    assert result.err.startswith(f"stochgeom: {path}: cannot be read: ")
+
+
+def test_nothing_is_half_written(capsys, tmp_path):
+    missing = tmp_path / "missing" / "plan.json"
+    result = call(capsys, "plan", "house", "--certificate", str(missing))
+    assert result.code == 2
+    assert "cannot be written: No such file or directory" in result.err
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    assert call(capsys, "plan", "house", "--certificate", str(folder)).code == 2
+    assert [path.name for path in tmp_path.iterdir()] == ["folder"]
