@@ -77,6 +77,13 @@ def test_turning_by_quarters_turns_the_answer(low, direction, turns, quarters):
     assert nominal_angle(low + turn, low + turn + width) == nominal_angle(low, low + width) + turn
 
 
+def test_every_width_of_small_numbers():
+    grid = [Angle(0, (x, y)) for x in range(-3, 4) for y in range(-3, 4) if x or y]
+    for width in {angle for angle in grid if angle}:
+        for low in grid[::3]:
+            check_near_the_middle(low, low + width)
+
+
 # --- by hand -------------------------------------------------------------------------------------
 
 

@@ -228,6 +228,22 @@ def test_a_base_near_zero_and_a_period_far_away(turns):
             assert sequence.widest(ends - 1, ends).tolist() == [1]
 
 
+@pytest.mark.parametrize("laps", [10**6, -(10**9), 10**12, 2**40 + 1])
+@pytest.mark.parametrize("degrees", [90, 120, 180, 360])
+def test_positions_of_far_indices(degrees, laps):
+    # After so many periods the floats are off by far more than the shadow's own bound.
+    period = deg(degrees)
+    steps = [TINY, -TINY, deg("1e-6"), -deg("1e-6")]
+    for x, y in [(9, 2), (5, 1), (7, 3), (8, 5)]:
+        a, b = lifted([ZERO, Angle(0, (x, y))], period), lifted([deg("0.7")], period)
+        for step in steps:
+            offset = a[1] - b[0] + step
+            expected = 2 * laps + (1 if step > ZERO else 0)
+            assert a.positions(b, np.array([laps]), offset).tolist() == [expected]
+            far = offset - laps * period  # the other way round: back again by the offset
+            assert a.positions(b, np.array([laps]), far).tolist() == [expected - 2 * laps]
+
+
 @pytest.mark.parametrize("error", [None, EVERYTHING])
 def test_positions_by_hand(error):
     a = lifted([deg(10), deg(40), deg(70)], QUARTER_TURN, error)
