@@ -70,8 +70,10 @@ class LiftedAngles:
         """Shadows of a_0 .. a_{2m}, made monotone."""
         base, period = self.base.shadow, self.period.to_float()
         values = np.concatenate((base, base + period, base[:1] + 2 * period))
-        # A running maximum keeps the bound: no earlier entry exceeds a later one in truth.
-        return np.maximum.accumulate(values)
+        if (values[1:] < values[:-1]).any():
+            # A running maximum keeps the bound: no earlier entry exceeds a later one in truth.
+            values = np.maximum.accumulate(values)
+        return values
 
     # --- comparisons -----------------------------------------------------------------------------
 
@@ -109,13 +111,22 @@ class LiftedAngles:
 
     def largest_gaps(self, last: Indices) -> Indices:
         """Return every i in [0, m) for which a_{last[i]+1} - a_i is largest, in order."""
-        return self.widest(np.arange(len(self)), last + 1)
+        return self._largest(slice(len(self)), last + 1)
+
+    def largest_steps(self) -> Indices:
+        """Return every i in [0, m) for which a_{i+1} - a_i is largest, in order."""
+        return self._largest(slice(len(self)), slice(1, len(self) + 1))
 
     def widest(self, starts: Indices, ends: Indices) -> Indices:
         """Return every place p for which a_{ends[p]} - a_{starts[p]} is largest, in order.
 
         All indices are in [0, 2 m].
         """
+        return self._largest(starts, ends)
+
+    def _largest(self, starts: Indices | slice, ends: Indices | slice) -> Indices:
+        if len(self) == 1 and isinstance(starts, slice):
+            return np.zeros(1, dtype=np.intp)
         widths = self._shadow[ends] - self._shadow[starts]
         # Each width is within 2 error and one rounding of the truth; so is the largest.
         margin = 4 * self.error + 2.0**-48
@@ -123,7 +134,9 @@ class LiftedAngles:
         if len(near) == 1:
             return near
         self.exact_decisions += len(near)
-        exact = [self[int(ends[p])] - self[int(starts[p])] for p in near]
+        every = np.arange(2 * len(self) + 1)
+        first, after = every[starts], every[ends]
+        exact = [self[int(after[p])] - self[int(first[p])] for p in near]
         best = max(exact)
         chosen: Any = [p for p, width in zip(near, exact, strict=True) if width == best]
         return np.array(chosen, dtype=np.intp)

@@ -39,10 +39,10 @@ def _share(draws: Draws) -> mpq:
 
 
 def huge_coordinates(size: int, seed: int) -> Part:
-    """Return the hull of 8 points whose coordinates have `size` digits, far from the origin.
+    """Return the hull of 8 points that differ in the last `size` of twice as many digits.
 
-    All points share their first digits, and the others are lost when a number is rounded to 16;
-    from 309 digits on, no float holds a coordinate.
+    Where the first half fills a float, from size 17 on, all points are one to a planner that
+    rounds; from size 155 on, no float holds a coordinate.
     """
     draws = Draws("huge coordinates", size, seed)
     x, y = (draws.sign() * draws.long(2 * size) for _ in range(2))

@@ -127,9 +127,10 @@ class Preimages:
         transfer = self.transfer
         if self._found:
             last = transfer.lifted_values.last_below(self._found[-1].width)
+            widest = transfer.lifted_breaks.largest_gaps(last)
         else:
             last = np.arange(len(transfer))  # an arc of one step has an image of width zero
-        widest = transfer.lifted_breaks.largest_gaps(last)
+            widest = transfer.lifted_breaks.largest_steps()
         first = self._narrowest_image(widest, last)
         breaks, values = transfer.lifted_breaks, transfer.lifted_values
         start, end = breaks[first], breaks[int(last[first]) + 1]
