@@ -27,7 +27,7 @@ from tests.strategies import (
     step_functions,
 )
 
-any_part = st.one_of(parts(), parts(), rational_parts(), circle_parts(), nearly_regular())
+any_part = st.one_of(parts(), parts(), rational_parts(), circle_parts(), nearly_regular(most=7))
 problems = any_part.map(FeedingProblem)
 
 
@@ -308,16 +308,19 @@ def test_distributions_are_forward_execution(plan):
 
 @given(plans, st.lists(directions, min_size=1, max_size=5))
 def test_sampled_orientations_are_in_the_distribution(plan, sample):
-    """Refuted by an orientation that ends in none of the states, or outside its state's arcs."""
-    state = plan.distribution()
-    whole = composite(plan.transfer, plan.angles)
+    """Refuted by an orientation that ends in none of the states."""
+    states = plan.distribution().orientations
     for direction in sample:
-        theta = Angle(0, direction)
-        end = plan.execute(theta)[-1]
-        assert end.reduced() in state.orientations
-        width = state.widths[state.orientations.index(end.reduced())]
-        step = whole.step_at(theta)
-        assert width == whole.lifted_breaks[step + 1] - whole.lifted_breaks[step]
+        assert plan.execute(Angle(0, direction))[-1].reduced() in states
+
+
+@given(plans)
+def test_distributions_are_the_steps_of_the_composite(plan):
+    """Eq. 4.2; refuted by a state whose arc is no step of the composition of all actions."""
+    state, whole = plan.distribution(), composite(plan.transfer, plan.angles)
+    steps = range(len(whole) * whole.order)
+    pairs = [(whole.lifted_values[k].reduced(), whole.widths[k % len(whole)]) for k in steps]
+    assert sorted(pairs) == list(zip(state.orientations, state.widths, strict=True))
 
 
 @given(plans)

@@ -135,12 +135,10 @@ def test_image_and_preimage_are_adjoint(s, arc, theta):
 def test_preimages_are_unions_of_steps(s, arc):
     """Refuted by a preimage that cuts a step, or misses one whose value lies in the arc."""
     preimage = s.preimage(arc)
-    first = s.step_at(arc.start) - 2 * len(s)
-    wanted = [
-        k
-        for k in range(first, first + (4 + s.order) * len(s))
-        if arc.start <= s.lifted_values[k] < arc.end
-    ]
+    # Values are less than two periods away from their breaks.
+    k, m = s.step_at(arc.start), len(s)
+    near = range(k - 4 * m, k + (5 + s.order) * m)
+    wanted = [k for k in near if arc.start <= s.lifted_values[k] < arc.end]
     if preimage is None:
         assert wanted == []
     else:

@@ -21,7 +21,7 @@ from tests.strategies import (
     rational_parts,
 )
 
-any_part = st.one_of(parts(), parts(), rational_parts(), circle_parts(), nearly_regular())
+any_part = st.one_of(parts(), parts(), rational_parts(), circle_parts(), nearly_regular(most=7))
 turns = st.one_of(directions, directions, large_directions)
 
 

@@ -92,13 +92,12 @@ def slow_squeeze(extrema, turn):
     return later[0] if later else minima[0]
 
 
-def slow_order(part):
-    """Return how often the extrema repeat in a full turn, by turning them 90 degrees.
+def slow_order(found):
+    """Return how often the extrema repeat in a full turn, by turning them.
 
-    Directions of rational points repeat after 90 or 180 degrees, or after 45: no other share of
-    half a turn has a rational tangent.
+    Directions of rational points repeat after 180, 90 or 45 degrees: no other share of half a
+    turn has a rational tangent.
     """
-    found = slow_extrema(part)
     for order, (c, s) in ((8, (1, 1)), (4, (0, 1))):
         turned = [{reduced((x * c - y * s, x * s + y * c)) for x, y in kind} for kind in found]
         if turned == [set(kind) for kind in found]:
@@ -120,17 +119,13 @@ def directions_over_half_a_turn(angles, order):
 
 
 @given(any_part)
-def test_breaks_and_values(part):
+def test_breaks_values_and_smallest_period(part):
     s = squeeze_function(part)
-    minima, maxima = slow_extrema(part)
+    minima, maxima = found = slow_extrema(part)
     assert directions_over_half_a_turn(s.breaks, s.order) == maxima
     assert directions_over_half_a_turn(s.values, s.order) == minima
     assert len(s) * s.order == 2 * len(maxima)
-
-
-@given(any_part)
-def test_smallest_period(part):
-    assert squeeze_function(part).order == slow_order(part)
+    assert s.order == slow_order(found)
 
 
 @given(any_part, st.lists(st.one_of(directions, large_directions), min_size=1, max_size=5))
