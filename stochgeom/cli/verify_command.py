@@ -6,11 +6,18 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.errors import FormatError, InputError, ReadError
+from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
+from stochgeom.io.load import load_part
 
 _EPILOG = """\
+examples:
+
+  stochgeom verify plan.json
+  stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative --claims up-to-symmetry
+
 The checker is one file that imports nothing of the package; it can be run by itself:
 
   python certificate_checker.py plan.json
@@ -25,20 +32,66 @@ def add_parser(commands: Any) -> None:
         "verify",
         help="check a plan",
         description="Check a certificate written by `stochgeom plan --certificate`: every claim "
-        "is computed anew, and the first that fails is named. Exit code 1 if one does.",
+        "is computed anew, and the first that fails is named. Or run a list of angles on a part "
+        "and report what it does. Exit code 1 if a claim fails.",
         epilog=_EPILOG.format(path=checker.__file__),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate")
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/verdict/1 document")
+    parser.add_argument("--part", metavar="SOURCE", help="what the angles are for")
+    parser.add_argument(
+        "--angles",
+        metavar="LIST",
+        help='degrees or directions, such as "0, 71, 35.5, 3:2", each relative to the last pose',
+    )
+    parser.add_argument(
+        "--cumulative", action="store_true", help="the angles are poses of the gripper"
+    )
+    parser.add_argument("--cost-ratio", default="1", metavar="C", help="default 1")
+    parser.add_argument(
+        "--claims", metavar="CLAIM", help="up-to-symmetry, or probability=P: at least P"
+    )
+    add_digits(parser)
+    parser.add_argument("--json", action="store_true", help="print a verdict or report as JSON")
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Check, print the verdict, return the exit code."""
-    if arguments.file is None:
-        raise InputError("no FILE given; accepted: a certificate")
-    return _verify_certificate(arguments.file, arguments.json)
+    digits = read_digits(arguments.digits)
+    given = [arguments.part is not None, arguments.angles is not None]
+    if arguments.file is not None and not any(given):
+        return _verify_certificate(arguments.file, arguments.json)
+    if arguments.file is not None or not all(given):
+        raise InputError("accepted: FILE alone, or --part and --angles together")
+    return _verify_angles(arguments, digits)
+
+
+def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
+    from stochgeom.cli.report_text import report_document, report_text
+    from stochgeom.feeding.verification import check_claim, verify_plan
+
+    part = load_part(arguments.part)
+    report = verify_plan(
+        part, arguments.angles, arguments.cost_ratio, cumulative=arguments.cumulative
+    )
+    failure = None
+    if arguments.claims is not None:
+        try:
+            check_claim(report, arguments.claims)
+        except VerificationError as error:
+            failure = error
+    if arguments.json:
+        document = report_document(report, digits)
+        if arguments.claims is not None:
+            document["claim"] = {"text": arguments.claims, "holds": failure is None}
+        write_json(document)
+    else:
+        write(report_text(report, part.name or "this part", digits))
+        if arguments.claims is not None:
+            verdict = "holds" if failure is None else f"fails, {failure.message}"
+            write(f"\nthe claim {arguments.claims} {verdict}")
+    return 0 if failure is None else 1
 
 
 def _verify_certificate(path: str, wants_json: bool) -> int:

@@ -52,10 +52,9 @@ class FeedingProblem:
     """
 
     def __init__(self, part: PartLike, action: str = "squeeze") -> None:
-        if action not in TRANSFER_FUNCTIONS:
-            raise InputError(
-                f"action {action!r}; accepted: {', '.join(sorted(TRANSFER_FUNCTIONS))}"
-            )
+        accepted = sorted(TRANSFER_FUNCTIONS)
+        if action not in accepted:
+            raise InputError(f"action {action!r}; accepted: {', '.join(accepted)}")
         self.part = as_part(part)
         self.action = action
 

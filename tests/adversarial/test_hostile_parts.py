@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from gmpy2 import mpq
 
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
@@ -74,6 +75,14 @@ def test_the_last_of_400_digits_matters(size):
     assert len(other) == len(expected)
     assert degrees(other, 6) == degrees(expected, 6)
     assert widths(other) != widths(expected)
+
+
+def test_a_diameter_beyond_the_floats_is_said_to_be():
+    huge, long = Part([(0, 0), (10**400, 0), (0, 10**400)]), Part([(0, 0), (10**300, 0), (0, 1)])
+    with pytest.raises(NumberLimitError, match="accepted: parts below"):
+        DiameterFunction(huge).evaluate(0.5)
+    assert DiameterFunction(long).evaluate(np.pi / 2) == 1e300
+    assert squeeze_function(huge).breaks.to_float().tolist() == [3 * np.pi / 4]
 
 
 @pytest.mark.parametrize("bits", [50, 51, 52, 53, 61, 62, 63, 64, 80])

@@ -112,3 +112,52 @@ def test_nothing_is_half_written(capsys, tmp_path):
     folder.mkdir()
     assert call(capsys, "plan", "house", "--certificate", str(folder)).code == 2
     assert [path.name for path in tmp_path.iterdir()] == ["folder"]
+
+
+class TestOtherPeoplesPlans:
+    def test_the_printed_plan_of_the_thesis_orients_the_4gon(self, capsys):
+        arguments = ["--part", "4gon", "--angles", "0, 71, 35, 8", "--cumulative"]
+        result = call(capsys, "verify", *arguments, "--claims", "up-to-symmetry")
+        assert (result.code, result.err) == (0, "")
+        assert "4 actions on 4gon: 2 final orientations (up to symmetry)\n" in result.out
+        assert result.out.endswith("\nthe claim up-to-symmetry holds\n")
+
+    def test_a_claim_that_fails_exits_with_1(self, capsys):
+        arguments = ["--part", "house", "--angles", "0, 45", "--claims", "probability=0.51"]
+        result = call(capsys, "verify", *arguments)
+        assert (result.code, result.err) == (1, "")
+        assert "the claim probability=0.51 fails, the most likely final orientation" in result.out
+        assert call(capsys, "verify", *arguments[:-1], "probability=1/2").code == 0
+
+    def test_a_plan_that_could_be_better(self, capsys):
+        out = call(capsys, "verify", "--part", "house", "--angles", "0, -5").out
+        assert "a plan of 2 actions reaches probability 0.5000; the first action" in out
+
+    def test_a_report_for_machines(self, capsys):
+        arguments = ["--part", "house", "--angles", "-10, 45", "--claims", "up-to-symmetry"]
+        document = call(capsys, "verify", *arguments, "--json").document
+        assert document["schema"] == "stochgeom/report/1"
+        assert document["claim"] == {"text": "up-to-symmetry", "holds": True}
+        assert document["probability"] == "0.5000"
+        low, high = (document["margins"][1][end]["degrees"] for end in ("low", "high"))
+        assert (low, high) == ("18.4349", "71.5651")
+
+    @pytest.mark.parametrize(
+        ("arguments", "words"),
+        [
+            (["--part", "house"], "accepted: FILE alone, or --part and --angles together"),
+            (["--angles", "0"], "accepted: FILE alone, or --part and --angles together"),
+            (["plan.json", "--angles", "0"], "accepted: FILE alone"),
+            ([], "accepted: FILE alone"),
+            (["--part", "house", "--angles", "0, east"], "action 1: 'east' is no angle; accepted"),
+            (["--part", "house", "--angles", ""], "angles: no actions; accepted: at least one"),
+            (["--part", "hose", "--angles", "0"], "hose: "),
+            (["--part", "house", "--angles", "0", "--claims", "best"], "accepted: up-to-symmetry"),
+            (["--part", "house", "--angles", "0", "--cost-ratio", "-1"], "-1 is negative"),
+            (["--part", "house", "--angles", "0," * 1_000_001 + "0"], "at most 1000000 actions"),
+        ],
+    )
+    def test_bad_input(self, capsys, arguments, words):
+        result = call(capsys, "verify", *arguments)
+        assert (result.code, result.out) == (2, "")
+        assert words in result.err

@@ -158,7 +158,7 @@ def test_cost_ratios_that_are_none(cost_ratio, message):
         assert "cost ratio: " in str(caught.value)
 
 
-@pytest.mark.parametrize("action", ["push", "push-grasp?", "", "SQUEEZE", None, 3])
+@pytest.mark.parametrize("action", ["push", "push-grasp?", "", "SQUEEZE", None, 3, ["squeeze"]])
 def test_unknown_actions(action):
     for ask in (plan_feeding, orient_up_to_symmetry):
         with pytest.raises(InputError, match=r"accepted: .*squeeze") as caught:
