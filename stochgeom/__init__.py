@@ -27,9 +27,12 @@ if TYPE_CHECKING:
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.vectors import AngleVector
     from stochgeom.feeding.actions import Action
+    from stochgeom.feeding.adversarial import FAMILIES
     from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
     from stochgeom.feeding.plans import FeedingPlan
     from stochgeom.feeding.preimages import Preimage, Preimages, preimages
+    from stochgeom.feeding.reports import PlanReport
+    from stochgeom.feeding.verification import check_claim, parse_angles, verify_plan
     from stochgeom.geometry.calipers import antipodal_pairs
     from stochgeom.geometry.diameter import DiameterFunction, Sinusoid
     from stochgeom.geometry.hull import ConvexHull, convex_hull
@@ -41,6 +44,11 @@ if TYPE_CHECKING:
     from stochgeom.transfer.step_function import StepFunction
 
 _HOMES = {
+    "FAMILIES": "feeding.adversarial",
+    "PlanReport": "feeding.reports",
+    "check_claim": "feeding.verification",
+    "parse_angles": "feeding.verification",
+    "verify_plan": "feeding.verification",
     "Hyperstate": "decision.hyperstates",
     "StochgeomError": "errors",
     "Angle": "exact.angles",
@@ -84,6 +92,7 @@ _HOMES = {
 
 __all__ = [
     "EIGHTH_TURN",
+    "FAMILIES",
     "FULL_TURN",
     "HALF_TURN",
     "QUARTER_TURN",
@@ -99,6 +108,7 @@ __all__ = [
     "FeedingProblem",
     "Hyperstate",
     "Part",
+    "PlanReport",
     "Preimage",
     "Preimages",
     "Sinusoid",
@@ -108,11 +118,13 @@ __all__ = [
     "antipodal_pairs",
     "catalogue_names",
     "catalogue_part",
+    "check_claim",
     "convex_hull",
     "from_float_exact",
     "from_float_shortest",
     "load_part",
     "orient_up_to_symmetry",
+    "parse_angles",
     "parse_outline",
     "plan_feeding",
     "preimages",
@@ -122,6 +134,7 @@ __all__ = [
     "squeeze_function",
     "union_arcs",
     "union_measure",
+    "verify_plan",
 ]
 
 

@@ -199,7 +199,7 @@ def check_claim(report: PlanReport, claim: str) -> None:
     Traceback (most recent call last):
     ...
     stochgeom.errors.VerificationError: probability=0.6: the most likely final orientation has \
-the probability 0.5000
+the probability 0.50000000
     """
     kind, _, value = claim.partition("=")
     if claim == "up-to-symmetry":
@@ -217,7 +217,8 @@ the probability 0.5000
             )
         if report.probability < least:
             raise VerificationError(
-                f"the most likely final orientation has the probability {report.probability}",
+                "the most likely final orientation has the probability "
+                f"{report.probability.decimal(8)}",
                 where=claim,
             )
     else:

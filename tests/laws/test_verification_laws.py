@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from itertools import accumulate, pairwise
 
-from hypothesis import assume, given
+import pytest
+from gmpy2 import mpq
+from hypothesis import Phase, assume, find, given, settings
 from hypothesis import strategies as st
 
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.execution import composite, run_angle
 from stochgeom.feeding.planner import FeedingProblem
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.feeding.preimages import preimages
 from stochgeom.feeding.verification import parse_angles, verify_plan
 from tests.strategies import (
     TINY,
@@ -23,6 +27,9 @@ from tests.strategies import (
     ratios,
     transfer_functions,
 )
+
+FEW = settings().max_examples // 4
+"""Laws that run a plan many times."""
 
 any_part = st.one_of(parts(), parts(), rational_parts(), circle_parts(), nearly_regular(most=7))
 problems = any_part.map(FeedingProblem)
@@ -47,7 +54,18 @@ def promising(draw):
     return s, draw(st.permutations(found + others))
 
 
-cases = st.one_of(st.tuples(transfers, sequences), promising())
+@st.composite
+def spoiled(draw):
+    """A plan that orients, with one angle turned by something, and perhaps more actions."""
+    s = draw(transfers)
+    turns = list(FeedingPlan(s, preimages(s), mpq(1)).angles)
+    turns += draw(st.lists(st.sampled_from([ZERO, *turns]), max_size=2))
+    k = draw(st.integers(0, len(turns) - 1))
+    turns[k] += draw(angles())
+    return s, turns
+
+
+cases = st.one_of(st.tuples(transfers, sequences), promising(), spoiled())
 
 
 def final_orientations(transfer, turns, arc):
@@ -55,6 +73,24 @@ def final_orientations(transfer, turns, arc):
     whole = composite(transfer, turns)
     first, last = whole.step_at(arc.start), whole.step_before(arc.end)
     return {whole.lifted_values[k].reduced() for k in range(first, last + 1)}
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        lambda report: report.orients_up_to_symmetry and report.steps > 2,
+        lambda report: report.mouth.width == FULL_TURN and report.transfer.order == 1,
+        lambda report: not report.better_exists and report.mouth.width < report.transfer.period,
+        lambda report: report.first_misfit == 1,
+        lambda report: report.steps - 2 > (report.first_misfit or 0) > 1,
+        lambda report: report.better_exists and report.best_width == report.transfer.period,
+    ],
+    ids=["orients", "full turn", "best, not all", "misfit 1", "misfit 2 to k - 3", "could orient"],
+)
+def test_the_cases_are_of_all_kinds(kind):
+    """Found, not made small."""
+    quickly = settings(max_examples=5000, phases=[Phase.generate])
+    find(cases, lambda case: kind(verify_plan(*case)), settings=quickly)
 
 
 # --- the orientations ----------------------------------------------------------------------------
@@ -70,6 +106,7 @@ def test_the_collapsed_arcs_divide_a_period(case):
         assert arc.end == following.start
 
 
+@settings(max_examples=FEW)
 @given(cases, st.lists(angles(), max_size=6))
 def test_forward_execution_ends_where_the_report_says(case, samples):
     """Sampled orientations, the first of each arc and those just before its end."""
@@ -84,6 +121,7 @@ def test_forward_execution_ends_where_the_report_says(case, samples):
         assert run_angle(transfer, turns, theta)[-1].reduced() == expected.reduced()
 
 
+@settings(max_examples=FEW)
 @given(cases)
 def test_arcs_are_those_of_the_composite(case):
     """No arc of the report can be widened, and each ends in one orientation."""
@@ -152,6 +190,7 @@ def test_cumulative_angles_are_sums(case):
 # --- margins -------------------------------------------------------------------------------------
 
 
+@settings(max_examples=FEW)
 @given(cases)
 def test_margins_are_sharp(case):
     """At `high` and just above `low` the mouth ends where it does; beyond either end, not."""
