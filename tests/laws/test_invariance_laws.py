@@ -137,11 +137,3 @@ def test_reflection_twice_is_none(part):
     assert part.reflect().reflect() == part
     s = squeeze_function(part)
     assert mirrored(mirrored(s)) == s
-
-
-@given(any_part, directions, shifts, positive, st.booleans())
-def test_all_at_once(part, direction, shift, factor, mirror):
-    """Refuted by any similarity under which a width, a cost or a number of steps changes."""
-    other = part.multiply(direction).translate(*shift).scale(factor)
-    other = other.reflect() if mirror else other
-    assert profile(other) == profile(part)

@@ -23,7 +23,9 @@ from tests.strategies import TINY, angles, directions, long_directions
 widths = st.one_of(
     directions.map(lambda p: Angle(0, p)),
     long_directions.map(lambda p: Angle(0, p)),
-    st.fractions(0, 1, max_denominator=60).map(Angle.from_turns),
+    st.integers(1, 60).flatmap(
+        lambda q: st.integers(1, q).map(lambda p: Angle.from_turns(mpq(p, q)))
+    ),
     st.sampled_from([TINY, Angle.from_turns(Fraction(1, 3 * 2**200)), FULL_TURN, FULL_TURN - TINY]),
 ).filter(bool)
 """Widths in (0, 360] degrees, of rational and of irrational numbers of turns."""

@@ -95,7 +95,7 @@ def test_gcd_is_the_largest_common_divisor_of_small_numbers(a, b):
 # --- coprime bases -------------------------------------------------------------------------------
 
 
-@given(st.lists(any_numbers, max_size=6))
+@given(st.lists(any_numbers, max_size=4))
 def test_a_coprime_base_is_coprime_and_generates(given_numbers):
     base = coprime_base(given_numbers)
     assert all(element.norm > 1 for element in base)
