@@ -112,13 +112,15 @@ def simplest_fraction(low: mpq, high: mpq) -> mpq:
     """
     # Continued fractions: both ends share leading terms a_0, a_1, ...; keep the convergents.
     p0, q0, p1, q1 = mpz(0), mpz(1), mpz(1), mpz(0)
+    a, b, c, d = low.numerator, low.denominator, high.numerator, high.denominator
     while True:
-        whole = low.numerator // low.denominator
-        if low == whole or whole + 1 <= high:
-            whole += low != whole
+        whole, rest = divmod(a, b)
+        if rest == 0 or (whole + 1) * d <= c:
+            whole += rest != 0
             return mpq(whole * p1 + p0, whole * q1 + q0)
         p0, q0, p1, q1 = p1, q1, whole * p1 + p0, whole * q1 + q0
-        low, high = 1 / (high - whole), 1 / (low - whole)
+        # Past their shared whole part, the ends trade places in 1 / (x - whole).
+        a, b, c, d = d, c - whole * d, b, rest
 
 
 def _width(low: Angle, high: Angle) -> Angle:

@@ -8,16 +8,38 @@ open, so that tests can force either road.
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, final
+from typing import Final, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.vectors import ERROR_PER_TURN, AngleVector, FloatArray
+from stochgeom.exact.shadows import shadow, shadow_error
+from stochgeom.exact.vectors import AngleVector, FloatArray
 
 Indices = NDArray[np.intp]
+
+FEW: Final = 48
+"""Sequences of at most so many entries are searched by Python loops: cheaper than array calls."""
+
+
+@final
+@dataclass(frozen=True)
+class Gap:
+    """The angle a_end - a_start of a sequence; exact only when asked for."""
+
+    sequence: LiftedAngles
+    start: int
+    end: int
+
+    @cached_property
+    def angle(self) -> Angle:
+        """The exact difference."""
+        return self.sequence[self.end] - self.sequence[self.start]
 
 
 @final
@@ -46,13 +68,13 @@ class LiftedAngles:
 
     def __init__(self, base: AngleVector, period: Angle, *, error: float | None = None) -> None:
         self.base, self.period = base, period
-        # Two periods hold every index asked for. For T of t whole turns and a rest, the floats of
-        # T and 2 T and the rounding of a sum are off by 3 (t + 1) 2**-49 and an eighth of the
-        # base's bound at most: below that bound, which is 2**-46 or more, and 4 t 2**-47.
-        self._turns = int(period.turn_part)
-        proven = 2 * base.error + 4 * self._turns * ERROR_PER_TURN
+        # Two periods hold every index asked for: an entry of them is off by the base's bound and
+        # twice the period's; what is left of both covers the rounding of the sum.
+        proven = 2 * base.error + 3 * shadow_error(period)
         self.error = proven if error is None else error
         self.exact_decisions = 0
+        self._few: list[float] | None = self._shadow.tolist() if len(base) <= FEW else None
+        self._following: dict[int, Angle] = {}  # entries of the second period asked for so far
 
     def __len__(self) -> int:
         """Return m, the number of entries in one period."""
@@ -63,12 +85,21 @@ class LiftedAngles:
         angle = self.base[place]
         if turn == 0:
             return angle
-        return angle + (self.period if turn == 1 else self.period * turn)
+        if turn != 1:
+            return angle + self.period * turn
+        following = self._following.get(place)
+        if following is None:
+            following = self._following[place] = angle + self.period
+        return following
+
+    def gap(self, start: int, end: int) -> Gap:
+        """Return a_end - a_start, with 0 <= start < end <= 2 m, to be made when asked for."""
+        return Gap(self, start, end)
 
     @cached_property
     def _shadow(self) -> FloatArray:
         """Shadows of a_0 .. a_{2m}, made monotone."""
-        base, period = self.base.shadow, self.period.to_float()
+        base, period = self.base.shadow, shadow(self.period)
         values = np.concatenate((base, base + period, base[:1] + 2 * period))
         if (values[1:] < values[:-1]).any():
             # A running maximum keeps the bound: no earlier entry exceeds a later one in truth.
@@ -77,26 +108,52 @@ class LiftedAngles:
 
     # --- comparisons -----------------------------------------------------------------------------
 
-    def last_below(self, offset: Angle) -> Indices:
+    def last_below(self, offset: Angle | Gap) -> Indices:
         """Return for each i in [0, m) the last k with a_k < a_i + offset.
 
-        `offset` is positive and at most the period.  O(m) after the shadow, and O(log m) exact
-        comparisons for each entry that the shadow leaves open.
+        `offset` is positive and at most the period.  O(m log m) on floats after the shadow, and
+        O(log m) exact comparisons for each entry that the shadow leaves open.
         """
-        m, shadow = len(self), self._shadow
-        targets = shadow[:m] + offset.to_float()
-        after = np.searchsorted(shadow[: 2 * m], targets)
-        # The target carries the error of a_i and of the offset (below 2**-49), a_k its own.
-        margin = 2 * self.error + 2.0**-48
-        unclear = (targets - shadow[after - 1] <= margin) | (shadow[after] - targets <= margin)
+        width, error = self._filter_of(offset)
+        # The target carries the errors of a_i and of the offset, a_k its own; 2**-48 covers the
+        # roundings, of values below 2**4 or of multiples of long periods (see `error`).
+        margin = 2 * self.error + error + 2.0**-48
+        if self._few is not None:
+            return self._last_below_few(self._few, offset, width, margin)
+        m, values = len(self), self._shadow
+        targets = values[:m] + width
+        after = np.searchsorted(values[: 2 * m], targets)
+        unclear = (targets - values[after - 1] <= margin) | (values[after] - targets <= margin)
         last = after - 1
         for i in np.nonzero(unclear)[0].tolist():
             last[i] = self._exact_last_below(i, offset, targets[i], margin)
         return last
 
-    def _exact_last_below(self, i: int, offset: Angle, target: float, margin: float) -> int:
+    @staticmethod
+    def _filter_of(offset: Angle | Gap) -> tuple[float, float]:
+        """Return the float value of an offset and a bound on its error."""
+        if isinstance(offset, Angle):
+            return shadow(offset), shadow_error(offset)
+        values = offset.sequence._few or offset.sequence._shadow
+        return float(values[offset.end] - values[offset.start]), 2 * offset.sequence.error
+
+    def _last_below_few(
+        self, values: list[float], offset: Angle | Gap, width: float, margin: float
+    ) -> Indices:
+        m = len(self)
+        last = []
+        for i in range(m):
+            target = values[i] + width
+            after = bisect_left(values, target, 0, 2 * m)
+            if target - values[after - 1] > margin and values[after] - target > margin:
+                last.append(after - 1)
+            else:
+                last.append(self._exact_last_below(i, offset, target, margin))
+        return np.array(last)
+
+    def _exact_last_below(self, i: int, offset: Angle | Gap, target: float, margin: float) -> int:
         self.exact_decisions += 1
-        bound = self[i] + offset
+        bound = self[i] + (offset if isinstance(offset, Angle) else offset.angle)
         # Entries before `low` are certainly below, entries from `high` on certainly not. a_i is
         # below and a_{i+m} is not, whatever the shadow says.
         low = max(i + 1, int(np.searchsorted(self._shadow, target - margin)))
@@ -111,35 +168,56 @@ class LiftedAngles:
 
     def largest_gaps(self, last: Indices) -> Indices:
         """Return every i in [0, m) for which a_{last[i]+1} - a_i is largest, in order."""
-        return self._largest(slice(len(self)), last + 1)
+        if self._few is not None:
+            return self._largest_few(self._few, last.tolist())
+        after = last + 1
+        widths = self._shadow[after] - self._shadow[: len(self)]
+        return self._largest(widths, np.arange(len(self)), after)
 
     def largest_steps(self) -> Indices:
         """Return every i in [0, m) for which a_{i+1} - a_i is largest, in order."""
-        return self._largest(slice(len(self)), slice(1, len(self) + 1))
+        if self._few is not None:
+            return self._largest_few(self._few, range(len(self)))
+        m, base = len(self), self.base.shadow
+        widths = np.append(base[1:], base[0] + shadow(self.period)) - base
+        return self._largest(widths, np.arange(m), np.arange(1, m + 1))
+
+    def _largest_few(self, values: list[float], last: Sequence[int]) -> Indices:
+        widths = [values[k + 1] - a for k, a in zip(last, values, strict=False)]
+        least = max(widths) - self._width_margin
+        near = [i for i, width in enumerate(widths) if width >= least]
+        if len(near) > 1 and len(self) > 1:
+            near = self._exactly_largest(near, near, [last[i] + 1 for i in near])
+        return np.array(near)
 
     def widest(self, starts: Indices, ends: Indices) -> Indices:
         """Return every place p for which a_{ends[p]} - a_{starts[p]} is largest, in order.
 
         All indices are in [0, 2 m].
         """
-        return self._largest(starts, ends)
+        return self._largest(self._shadow[ends] - self._shadow[starts], starts, ends)
 
-    def _largest(self, starts: Indices | slice, ends: Indices | slice) -> Indices:
-        if len(self) == 1 and isinstance(starts, slice):
-            return np.zeros(1, dtype=np.intp)
-        widths = self._shadow[ends] - self._shadow[starts]
-        # Each width is within 2 error and one rounding of the truth; so is the largest.
-        margin = 4 * self.error + 2.0**-48
-        (near,) = np.nonzero(widths >= widths.max() - margin)
+    @property
+    def _width_margin(self) -> float:
+        """How far below the largest a float width may be: each is within 2 error + 2**-50."""
+        return 4 * self.error + 2.0**-48
+
+    def _largest(self, widths: FloatArray, starts: Indices, ends: Indices) -> Indices:
+        (near,) = np.nonzero(widths >= widths.max() - self._width_margin)
         if len(near) == 1:
             return near
-        self.exact_decisions += len(near)
-        every = np.arange(2 * len(self) + 1)
-        first, after = every[starts], every[ends]
-        exact = [self[int(after[p])] - self[int(first[p])] for p in near]
-        best = max(exact)
-        chosen: Any = [p for p, width in zip(near, exact, strict=True) if width == best]
-        return np.array(chosen, dtype=np.intp)
+        first, after = starts[near].tolist(), ends[near].tolist()
+        return np.array(self._exactly_largest(near.tolist(), first, after))
+
+    def _exactly_largest(self, names: list[int], first: list[int], after: list[int]) -> list[int]:
+        """Return the names of the exactly largest of some gaps."""
+        self.exact_decisions += len(names)
+        steps = [b - a for a, b in zip(first, after, strict=True)]
+        if max(steps) == len(self):  # a period, which fewer steps do not reach
+            return [name for name, count in zip(names, steps, strict=True) if count == len(self)]
+        widths = [self[b] - self[a] for a, b in zip(first, after, strict=True)]
+        best = max(widths)
+        return [name for name, width in zip(names, widths, strict=True) if width == best]
 
     def position(self, theta: Angle) -> int:
         """Return the k with a_k <= theta < a_{k+1}, for a base in [0, period).  O(log m)."""
@@ -161,7 +239,8 @@ class LiftedAngles:
         # With n periods, the products n * period are off by n (2**-50 + 2**-51 * 2 pi) at most
         # (the float period, one rounding), and so is each of the four sums: below 8 n 2**-48.
         largest = max(float(np.abs(turns).max(initial=0)), float(np.abs(laps).max(initial=0)))
-        margin = self.error + other.error + (1 + self._turns) * (8 + 8 * largest) * 2.0**-48
+        turn = 1 + int(self.period.turn_part)
+        margin = self.error + other.error + turn * (8 + 8 * largest) * 2.0**-48
         unclear = (found < 0) | (rests - self._shadow[found] <= margin)
         unclear |= self._shadow[found + 1] - rests <= margin
         result: Indices = found + m * turns.astype(np.intp)

@@ -34,6 +34,9 @@ HomogeneousPoint: TypeAlias = "tuple[mpz, mpz, mpz]"
 EXACT_FLOAT_LIMIT: Final = 2**53
 """Integers below this in absolute value are exact in float64."""
 
+_INT64: Final = np.dtype(np.int64)
+_SHORT: Final = 256
+
 
 class Turn(IntEnum):
     """Which way a path p -> q -> r turns at q."""
@@ -136,12 +139,13 @@ def compare_points(p: HomogeneousPoint, q: HomogeneousPoint) -> int:
 
 def fits_float(*arrays: IntArray) -> bool:
     """Tell whether all entries are int64 and below 2**53 in absolute value."""
+    if any(array.dtype != _INT64 for array in arrays):
+        return False
+    if arrays[0].size < _SHORT:
+        arrays = (np.concatenate(arrays),)  # one look at all of them, where calls cost most
     return all(
-        array.dtype == np.int64
-        and (
-            array.size == 0
-            or (int(array.max()) < EXACT_FLOAT_LIMIT and int(array.min()) > -EXACT_FLOAT_LIMIT)
-        )
+        array.size == 0
+        or (int(array.max()) < EXACT_FLOAT_LIMIT and int(array.min()) > -EXACT_FLOAT_LIMIT)
         for array in arrays
     )
 

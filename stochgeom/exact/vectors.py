@@ -3,23 +3,14 @@
 An `AngleVector` holds turns and directions as arrays (int64, or unbounded integers as objects),
 not reduced; a canonical `Angle` is made only when an entry is asked for.
 
-The shadow is the value in radians as float64, with a proven bound on its error. For |turns| <= t:
-
-- the components (x, y) are rounded to float64, or cut to their leading 60 bits together: the
-  argument moves by at most 2**-52;
-- numpy's arctan2 is taken as within 4 units in the last place (a test checks it against Arb on
-  every platform): at most 4 ulp(pi) = 2**-49;
-- adding 2 pi for the lower half plane, 2 pi t, and three roundings of values below 8 (1 + t):
-  at most 4 (1 + t) 2**-50.
-
-The sum is below (1 + t) 2**-47, the `error` of the shadow.
+The shadow is the value in radians as float64; `stochgeom.exact.shadows` proves its error bound.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, Final, overload
+from typing import Any, overload
 
 import numpy as np
 from gmpy2 import mpq
@@ -35,10 +26,9 @@ from stochgeom.exact.predicates import (
     fits_float,
     half_planes,
 )
+from stochgeom.exact.shadows import ERROR_PER_TURN, KEPT_BITS, TWO_PI
 
 FloatArray = NDArray[np.float64]
-TWO_PI: Final = 2.0 * np.pi
-ERROR_PER_TURN: Final = 2.0**-47
 
 
 class AngleVector(Sequence[Angle]):
@@ -187,7 +177,7 @@ class AngleVector(Sequence[Angle]):
 
     @cached_property
     def error(self) -> float:
-        """The proven bound on the shadow's error, see the module docstring."""
+        """The proven bound on the shadow's error, see `stochgeom.exact.shadows`."""
         return (2 + self.largest_turn) * ERROR_PER_TURN
 
     @cached_property
@@ -254,9 +244,8 @@ def _float_directions(x: IntArray, y: IntArray) -> tuple[FloatArray, FloatArray]
     if x.dtype != object and y.dtype != object:
         return x.astype(np.float64), y.astype(np.float64)
     # One shift for both components: float(10**400) would overflow.
-    kept = 60
     shifts = [
-        max(0, max(int(a).bit_length(), int(b).bit_length()) - kept)
+        max(0, max(int(a).bit_length(), int(b).bit_length()) - KEPT_BITS)
         for a, b in zip(x, y, strict=True)
     ]
     return (

@@ -106,7 +106,7 @@ class FeedingProblem:
         return self.plan_of(steps, c)
 
     def _is_last(self, steps: int) -> bool:
-        return self.preimages.of_steps(steps).width == self.transfer.period
+        return self.preimages.of_steps(steps).is_period
 
     def geometric_plan(self, cost_ratio: RationalLike = 1) -> FeedingPlan:
         """Return the shortest plan that orients the part up to symmetry (Cor. 5.1.1)."""

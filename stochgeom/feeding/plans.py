@@ -104,11 +104,12 @@ class FeedingPlan:
     @cached_property
     def actions(self) -> tuple[Action, ...]:
         """The k actions with their exact ranges, in order of execution."""
-        backwards = self.preimages[::-1]
+        breaks, values = self.transfer.lifted_breaks, self.transfer.lifted_values
         actions = [Action(None, None)]
-        for here, following in pairwise(backwards):
-            image, goal = here.image, following.arc
-            actions.append(Action(image.end - goal.end, image.start - goal.start))
+        for here, goal in pairwise(self.preimages[::-1]):
+            low = values[here.last] - breaks[goal.last + 1]
+            high = values[here.first] - breaks[goal.first]
+            actions.append(Action(low, high))
         return tuple(actions)
 
     @property

@@ -18,47 +18,71 @@ obtuse triangles, so it is tested from the first stage.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import final
-
-import numpy as np
 
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
-from stochgeom.exact.lifted import Indices
+from stochgeom.exact.lifted import Gap, Indices
 from stochgeom.transfer.step_function import StepFunction
 
 
 @final
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Preimage:
     """The widest arc that a number of actions collapses into one orientation.
 
+    Angles are made when asked for: a stage of phase I makes none.
+
     Attributes
     ----------
+    transfer : StepFunction
+        What one action does.
     steps : int
         i, the number of actions, from 1.
-    arc : Arc
-        Theta_i = [a, a + h), with a in [0, T).
-    image : ClosedArc
-        What the next action makes of it: [s(a), s(just before a + h)].
-    competitors : int
-        How many maximal arcs were compared: one for each break of a period.
-    ties : int
-        How many of them are as wide.
     first, last : int
         Numbers of the first and the last step of the arc: it runs from break `first` to break
         `last` + 1, its image from value `first` to value `last`.
+    ties : int
+        How many of the arcs compared are as wide.
     """
 
+    transfer: StepFunction = field(repr=False)
     steps: int
-    arc: Arc
-    image: ClosedArc
-    competitors: int
-    ties: int
     first: int
     last: int
+    ties: int
+
+    @cached_property
+    def arc(self) -> Arc:
+        """Theta_i = [a, a + h), with a in [0, T)."""
+        breaks = self.transfer.lifted_breaks
+        start = breaks[self.first]
+        return Arc(start, self.transfer.period if self.is_period else self.gap.angle)
+
+    @cached_property
+    def image(self) -> ClosedArc:
+        """What the next action makes of the arc: [s(a), s(just before a + h)]."""
+        values = self.transfer.lifted_values
+        low = values[self.first]
+        return ClosedArc(low, values[self.last] - low)
+
+    @cached_property
+    def gap(self) -> Gap:
+        """The width as a difference of two breaks."""
+        return self.transfer.lifted_breaks.gap(self.first, self.last + 1)
+
+    @property
+    def is_period(self) -> bool:
+        """Whether the arc is a period wide: breaks increase strictly, so the step numbers tell."""
+        return self.last + 1 == self.first + len(self.transfer)
+
+    @property
+    def competitors(self) -> int:
+        """How many maximal arcs were compared: one for each break of a period."""
+        return len(self.transfer)
 
     @property
     def width(self) -> Angle:
@@ -93,7 +117,7 @@ class Preimages:
     @property
     def complete(self) -> bool:
         """Whether the last preimage found is a period wide."""
-        return bool(self._found) and self._found[-1].width == self.transfer.period
+        return bool(self._found) and self._found[-1].is_period
 
     def __iter__(self) -> Iterator[Preimage]:
         steps = 1
@@ -125,32 +149,20 @@ class Preimages:
 
     def _next(self) -> Preimage:
         transfer = self.transfer
+        if len(transfer) == 1:
+            return Preimage(transfer, steps=1, first=0, last=0, ties=1)  # nothing to compare
+        last: Indices | range
         if self._found:
-            last = transfer.lifted_values.last_below(self._found[-1].width)
+            last = transfer.lifted_values.last_below(self._found[-1].gap)
             widest = transfer.lifted_breaks.largest_gaps(last)
         else:
-            last = np.arange(len(transfer))  # an arc of one step has an image of width zero
+            last = range(len(transfer))  # an arc of one step has an image of width zero
             widest = transfer.lifted_breaks.largest_steps()
         first = self._narrowest_image(widest, last)
-        breaks, values = transfer.lifted_breaks, transfer.lifted_values
-        start, end = breaks[first], breaks[int(last[first]) + 1]
-        low, high = values[first], values[int(last[first])]
-        preimage = Preimage(
-            steps=len(self._found) + 1,
-            arc=Arc(start, end - start),
-            image=ClosedArc(low, high - low),
-            competitors=len(transfer),
-            ties=len(widest),
-            first=first,
-            last=int(last[first]),
-        )
-        if self._found and preimage.width <= self._found[-1].width:
-            raise AssertionError(  # pragma: no cover
-                f"preimage {preimage.steps} is no wider than the one before: Theorem 5.3 fails"
-            )
-        return preimage
+        steps = len(self._found) + 1
+        return Preimage(transfer, steps, first, int(last[first]), len(widest))
 
-    def _narrowest_image(self, widest: Indices, last: Indices) -> int:
+    def _narrowest_image(self, widest: Indices, last: Indices | range) -> int:
         """Return the first of the widest arcs whose image is narrowest."""
         if len(widest) == 1:
             return int(widest[0])

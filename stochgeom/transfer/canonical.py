@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from stochgeom.errors import InvalidStepFunctionError, NumberLimitError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.predicates import Signs
+from stochgeom.exact.shadows import shadow, shadow_error
 from stochgeom.exact.vectors import AngleVector
 
 MAX_TURNS: Final = 2**31
@@ -105,12 +106,13 @@ def _check_increasing(breaks: AngleVector, values: AngleVector, period: Angle) -
 
 def neighbour_signs(vector: AngleVector, period: Angle) -> Signs:
     """Return the sign of a_{k+1} - a_k for k in [0, m), with a_m = a_0 + period."""
-    shadow, n = vector.shadow, len(vector)
-    gaps = np.append(shadow[1:], shadow[0] + period.to_float()) - shadow
+    values, n = vector.shadow, len(vector)
+    gaps = np.append(values[1:], values[0] + shadow(period)) - values
     signs: Signs = np.sign(gaps).astype(np.int8)
-    # Two shadows, a period and two roundings, all below three times the error of a shadow; what
-    # is closer is decided by exact angles.
-    for k in np.flatnonzero(np.abs(gaps) <= 3 * vector.error).tolist():
+    # Two shadows, a period and the roundings, which half the bounds would cover; what is closer
+    # is decided by exact angles.
+    margin = 3 * vector.error + 2 * shadow_error(period)
+    for k in np.flatnonzero(np.abs(gaps) <= margin).tolist():
         follower = vector[k + 1] if k + 1 < n else vector[0] + period
         signs[k] = follower.compare(vector[k])
     return signs

@@ -43,6 +43,8 @@ class StepFunction:
         One smallest period, breaks in [0, period).
     period : Angle
         The smallest period T.
+    lifted_breaks, lifted_values : LiftedAngles
+        The breaks b_k and the values v_k for every whole k.
     order : int
         q = 2 pi / T, the symmetry order: how many orientations the map cannot tell apart.
 
@@ -71,6 +73,8 @@ class StepFunction:
             values if isinstance(values, AngleVector) else AngleVector.from_angles(values),
             period,
         )
+        self.lifted_breaks = LiftedAngles(self.breaks, self.period)
+        self.lifted_values = LiftedAngles(self.values, self.period)
 
     @property
     def order(self) -> int:
@@ -80,16 +84,6 @@ class StepFunction:
     def __len__(self) -> int:
         """Return m, the number of steps in one period."""
         return len(self.breaks)
-
-    @cached_property
-    def lifted_breaks(self) -> LiftedAngles:
-        """The breaks b_k for every whole k."""
-        return LiftedAngles(self.breaks, self.period)
-
-    @cached_property
-    def lifted_values(self) -> LiftedAngles:
-        """The values v_k for every whole k."""
-        return LiftedAngles(self.values, self.period)
 
     @cached_property
     def widths(self) -> tuple[Angle, ...]:

@@ -38,8 +38,8 @@ def degrees(transfer, digits=2):
 def forced(s):
     """Return the same map with shadows that decide nothing."""
     again = StepFunction(s.breaks, s.values, s.period)
-    again.__dict__["lifted_breaks"] = LiftedAngles(again.breaks, again.period, error=1e9)
-    again.__dict__["lifted_values"] = LiftedAngles(again.values, again.period, error=1e9)
+    again.lifted_breaks = LiftedAngles(again.breaks, again.period, error=1e9)
+    again.lifted_values = LiftedAngles(again.values, again.period, error=1e9)
     return again
 
 

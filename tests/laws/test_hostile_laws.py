@@ -62,8 +62,8 @@ def test_floats_choose_nothing(case):
     """Refuted by a preimage that is another when no float is trusted at all."""
     s = squeeze_function(case.part())
     again = StepFunction(s.breaks, s.values, s.period)
-    again.__dict__["lifted_breaks"] = LiftedAngles(again.breaks, again.period, error=1e9)
-    again.__dict__["lifted_values"] = LiftedAngles(again.values, again.period, error=1e9)
+    again.lifted_breaks = LiftedAngles(again.breaks, again.period, error=1e9)
+    again.lifted_values = LiftedAngles(again.values, again.period, error=1e9)
     assert list(preimages(again)) == list(preimages(s))
 
 

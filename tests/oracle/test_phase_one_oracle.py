@@ -80,9 +80,21 @@ def test_all_arcs_at_all_stages(s):
 def forced(s):
     """Return the same map with shadows that decide nothing, all comparisons being exact."""
     again = StepFunction(s.breaks, s.values, s.period)
-    again.__dict__["lifted_breaks"] = LiftedAngles(again.breaks, again.period, error=1e9)
-    again.__dict__["lifted_values"] = LiftedAngles(again.values, again.period, error=1e9)
+    again.lifted_breaks = LiftedAngles(again.breaks, again.period, error=1e9)
+    again.lifted_values = LiftedAngles(again.values, again.period, error=1e9)
     return again
+
+
+def by_arrays(s):
+    """Return the same map, searched by array calls however few its steps are."""
+    again = StepFunction(s.breaks, s.values, s.period)
+    again.lifted_breaks._few = again.lifted_values._few = None
+    return again
+
+
+@given(maps)
+def test_array_calls_lead_to_the_same_preimages(s):
+    assert fast_chain(by_arrays(s)) == fast_chain(s)
 
 
 def decisions(s):

@@ -62,5 +62,5 @@ def listed_attributes(owner: type) -> set[str]:
 
 def test_the_reader_of_the_notation_finds_names():
     assert {"StepFunction.period", "plan_feeding", "Angle"} <= code_names(NOTATION)
-    assert "competitors" in listed_attributes(stochgeom.Preimage)
+    assert "ties" in listed_attributes(stochgeom.Preimage)
     assert "nothing" not in listed_attributes(stochgeom.Preimage)

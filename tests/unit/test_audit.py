@@ -8,7 +8,7 @@ import pytest
 
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.lifted import LiftedAngles
+from stochgeom.exact.lifted import Gap, LiftedAngles
 from stochgeom.feeding import audit as module
 from stochgeom.feeding.adversarial import FAMILIES
 from stochgeom.feeding.audit import (
@@ -38,7 +38,9 @@ def planner_that_lets_ties_fit(monkeypatch):
     monkeypatch.setattr(
         LiftedAngles,
         "last_below",
-        lambda self, offset: strictly_below(self, offset + Angle(0, (10**60, 1))),
+        lambda self, offset: strictly_below(
+            self, (offset.angle if isinstance(offset, Gap) else offset) + Angle(0, (10**60, 1))
+        ),
     )
 
 

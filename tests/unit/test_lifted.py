@@ -20,8 +20,11 @@ def deg(value):
     return Angle.from_degrees(value)
 
 
-def lifted(entries, period, error=None):
-    return LiftedAngles(AngleVector.from_angles(entries), period, error=error)
+def lifted(entries, period, error=None, *, by_arrays=False):
+    sequence = LiftedAngles(AngleVector.from_angles(entries), period, error=error)
+    if by_arrays:
+        sequence._few = None  # as if there were many
+    return sequence
 
 
 # --- the slow road -------------------------------------------------------------------------------
@@ -67,14 +70,28 @@ def test_both_roads_agree_with_the_double_loop(question):
     entries, period, offset = question
     expected = last_below(entries, period, offset)
     gaps = largest_gaps(entries, period, expected)
-    filtered, forced = lifted(entries, period), lifted(entries, period, EVERYTHING)
-    for sequence in (filtered, forced):
+    filtered, forced, *by_arrays = (
+        lifted(entries, period, error, by_arrays=by_arrays)
+        for by_arrays in (False, True)
+        for error in (None, EVERYTHING)
+    )
+    for sequence in (filtered, forced, *by_arrays):
         last = sequence.last_below(offset)
         assert last.tolist() == expected
         assert sequence.largest_gaps(last).tolist() == gaps
     m = len(entries)
-    assert forced.exact_decisions == (m if m == 1 else 2 * m)
-    assert filtered.exact_decisions <= forced.exact_decisions
+    assert forced.exact_decisions == by_arrays[1].exact_decisions == (m if m == 1 else 2 * m)
+    assert filtered.exact_decisions == by_arrays[0].exact_decisions <= forced.exact_decisions
+
+
+@given(questions(), st.integers(0, 30), st.integers(1, 30), st.booleans())
+def test_a_gap_does_what_its_angle_does(question, start, steps, by_arrays):
+    entries, period, _ = question
+    start, steps = start % len(entries), 1 + steps % len(entries)
+    sequence = lifted(entries, period, by_arrays=by_arrays)
+    gap = sequence.gap(start, start + steps)
+    assert gap.angle == entry(entries, period, start + steps) - entries[start]
+    assert sequence.last_below(gap).tolist() == last_below(entries, period, gap.angle)
 
 
 @given(lifted_sequences(), st.integers(-20, 20))
@@ -162,10 +179,11 @@ def test_a_tie_is_not_below():
     assert sequence.last_below(TINY).tolist() == [0, 1, 2]
 
 
+@pytest.mark.parametrize("by_arrays", [False, True])
 @pytest.mark.parametrize("error", [None, EVERYTHING])
-def test_neighbours_closer_than_floats_can_tell(error):
+def test_neighbours_closer_than_floats_can_tell(error, by_arrays):
     entries = [ZERO, TINY, 2 * TINY, deg(45), deg(45) + TINY, QUARTER_TURN - TINY]
-    sequence = lifted(entries, QUARTER_TURN, error)
+    sequence = lifted(entries, QUARTER_TURN, error, by_arrays=by_arrays)
     assert sequence.last_below(TINY).tolist() == [0, 1, 2, 3, 4, 5]
     assert sequence.last_below(2 * TINY).tolist() == [1, 2, 2, 4, 4, 6]
     assert sequence.last_below(deg(45)).tolist() == [2, 3, 4, 5, 6, 8]
@@ -173,14 +191,15 @@ def test_neighbours_closer_than_floats_can_tell(error):
     assert sequence.exact_decisions > 0
 
 
+@pytest.mark.parametrize("by_arrays", [False, True])
 @pytest.mark.parametrize("error", [None, EVERYTHING])
-def test_equally_large_gaps_are_all_found_in_order(error):
+def test_equally_large_gaps_are_all_found_in_order(error, by_arrays):
     entries = [deg(0), deg(30), deg(60) + TINY, deg(90)]
-    sequence = lifted(entries, HALF_TURN, error)
+    sequence = lifted(entries, HALF_TURN, error, by_arrays=by_arrays)
     one_step = np.arange(4)
     assert sequence.largest_gaps(one_step).tolist() == [3]
     assert sequence.largest_gaps(one_step[:4] * 0 + [0, 1, 2, 2]).tolist() == [1]
-    even = lifted([deg(d) for d in (0, 60, 120)], HALF_TURN, error)
+    even = lifted([deg(d) for d in (0, 60, 120)], HALF_TURN, error, by_arrays=by_arrays)
     assert even.largest_gaps(np.arange(3)).tolist() == [0, 1, 2]
     assert even.largest_gaps(np.array([1, 1, 3])).tolist() == [0, 2]
 
