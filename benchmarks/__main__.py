@@ -22,6 +22,7 @@ NAMES = (
     "nonconvex",
     "start_up",
     "exhaustive",
+    "actions_and_priors",
 )
 
 
@@ -44,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     if options.list:
         for name in NAMES:
-            print(f"{name:<15}{title(load(name))}")
+            print(f"{name:<20}{title(load(name))}")
         return 0
     names = list(options.names) or ["all"]
     unknown = [name for name in names if name not in (*NAMES, "all")]

@@ -18,34 +18,67 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from stochgeom.decision.callable_prior import CallablePrior
+    from stochgeom.decision.density_priors import VonMises, WrappedNormal
+    from stochgeom.decision.discrete_prior import DiscretePrior
     from stochgeom.decision.hyperstates import Hyperstate
+    from stochgeom.decision.mixture_prior import MixturePrior
+    from stochgeom.decision.piecewise_prior import PiecewisePrior
+    from stochgeom.decision.prior_estimates import PriorEstimate
+    from stochgeom.decision.priors import Prior, Window, uniform_prior
+    from stochgeom.decision.rejections import Observation, Rejections
     from stochgeom.errors import StochgeomError
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
     from stochgeom.exact.forms import sign_of_form
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
+    from stochgeom.exact.sums import AngleSum
     from stochgeom.exact.vectors import AngleVector
     from stochgeom.feeding.actions import Action
     from stochgeom.feeding.adversarial import FAMILIES
-    from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
+    from stochgeom.feeding.grasp_costs import plan_weighing_grasps, stability_costs
+    from stochgeom.feeding.gripper_error import ErrorBound
+    from stochgeom.feeding.nearby_courses import PartErrorReport
+    from stochgeom.feeding.part_errors import tolerance_of
+    from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
     from stochgeom.feeding.plans import FeedingPlan
     from stochgeom.feeding.preimages import Preimage, Preimages, preimages
+    from stochgeom.feeding.problem import FeedingProblem
     from stochgeom.feeding.reports import PlanReport
+    from stochgeom.feeding.stability import StableGrasp, most_stable_grasps, stable_grasps
     from stochgeom.feeding.verification import check_claim, parse_angles, verify_plan
     from stochgeom.geometry.calipers import antipodal_pairs
     from stochgeom.geometry.diameter import DiameterFunction, Sinusoid
     from stochgeom.geometry.hull import ConvexHull, convex_hull
     from stochgeom.geometry.part import Part
+    from stochgeom.geometry.radius import RadiusFunction, RadiusPiece
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
+    from stochgeom.transfer.push import push_function
+    from stochgeom.transfer.push_grasp import push_grasp_function
     from stochgeom.transfer.squeeze import squeeze_function
     from stochgeom.transfer.step_function import StepFunction
 
 _HOMES = {
+    "AngleSum": "exact.sums",
+    "CallablePrior": "decision.callable_prior",
+    "DiscretePrior": "decision.discrete_prior",
+    "MixturePrior": "decision.mixture_prior",
+    "Observation": "decision.rejections",
+    "PiecewisePrior": "decision.piecewise_prior",
+    "Prior": "decision.priors",
+    "PriorEstimate": "decision.prior_estimates",
+    "Rejections": "decision.rejections",
+    "VonMises": "decision.density_priors",
+    "Window": "decision.priors",
+    "WrappedNormal": "decision.density_priors",
+    "uniform_prior": "decision.priors",
     "FAMILIES": "feeding.adversarial",
+    "PartErrorReport": "feeding.nearby_courses",
     "PlanReport": "feeding.reports",
+    "tolerance_of": "feeding.part_errors",
     "check_claim": "feeding.verification",
     "parse_angles": "feeding.verification",
     "verify_plan": "feeding.verification",
@@ -67,7 +100,14 @@ _HOMES = {
     "from_float_shortest": "exact.scalars",
     "rational": "exact.scalars",
     "AngleVector": "exact.vectors",
-    "FeedingProblem": "feeding.planner",
+    "FeedingProblem": "feeding.problem",
+    "ErrorBound": "feeding.gripper_error",
+    "plan_weighing_grasps": "feeding.grasp_costs",
+    "stability_costs": "feeding.grasp_costs",
+    "StableGrasp": "feeding.stability",
+    "most_stable_grasps": "feeding.stability",
+    "stable_grasps": "feeding.stability",
+    "plan_transfer": "feeding.planner",
     "orient_up_to_symmetry": "feeding.planner",
     "plan_feeding": "feeding.planner",
     "Action": "feeding.actions",
@@ -86,6 +126,10 @@ _HOMES = {
     "read_outline": "io.outlines",
     "catalogue_names": "thesis.parts",
     "catalogue_part": "thesis.parts",
+    "RadiusFunction": "geometry.radius",
+    "RadiusPiece": "geometry.radius",
+    "push_function": "transfer.push",
+    "push_grasp_function": "transfer.push_grasp",
     "squeeze_function": "transfer.squeeze",
     "StepFunction": "transfer.step_function",
 }
@@ -99,22 +143,39 @@ __all__ = [
     "ZERO",
     "Action",
     "Angle",
+    "AngleSum",
     "AngleVector",
     "Arc",
+    "CallablePrior",
     "ClosedArc",
     "ConvexHull",
     "DiameterFunction",
+    "DiscretePrior",
+    "ErrorBound",
     "FeedingPlan",
     "FeedingProblem",
     "Hyperstate",
+    "MixturePrior",
+    "Observation",
     "Part",
+    "PartErrorReport",
+    "PiecewisePrior",
     "PlanReport",
     "Preimage",
     "Preimages",
+    "Prior",
+    "PriorEstimate",
+    "RadiusFunction",
+    "RadiusPiece",
+    "Rejections",
     "Sinusoid",
+    "StableGrasp",
     "StepFunction",
     "StochgeomError",
     "TurnRatio",
+    "VonMises",
+    "Window",
+    "WrappedNormal",
     "antipodal_pairs",
     "catalogue_names",
     "catalogue_part",
@@ -123,15 +184,24 @@ __all__ = [
     "from_float_exact",
     "from_float_shortest",
     "load_part",
+    "most_stable_grasps",
     "orient_up_to_symmetry",
     "parse_angles",
     "parse_outline",
     "plan_feeding",
+    "plan_transfer",
+    "plan_weighing_grasps",
     "preimages",
+    "push_function",
+    "push_grasp_function",
     "rational",
     "read_outline",
     "sign_of_form",
     "squeeze_function",
+    "stability_costs",
+    "stable_grasps",
+    "tolerance_of",
+    "uniform_prior",
     "union_arcs",
     "union_measure",
     "verify_plan",

@@ -121,6 +121,22 @@ class CostError(InputError):
     """A cost ratio is negative or not a rational number."""
 
 
+class GripperErrorError(InputError):
+    """A gripper error is negative or no gripper's."""
+
+
+class GoalError(InputError):
+    """A chosen final orientation is none that an action leaves the part in."""
+
+
+class NoPlanError(StochgeomError):
+    """No plan does what was asked for (exit code 1 on the command line)."""
+
+
+class PriorError(InputError):
+    """A prior's weights, densities or parameters do not make a probability distribution."""
+
+
 class VerificationError(StochgeomError):
     """A plan does not do what it claims (exit code 1 on the command line)."""
 

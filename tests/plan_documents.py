@@ -35,6 +35,7 @@ PLAN_KEYS = {
     "expected_cost_up_to_symmetry",
     "probability_up_to_symmetry",
     "orients_up_to_symmetry",
+    "margin",
 }
 
 
@@ -236,10 +237,15 @@ def _check_plan(
     assert first["low"] is None
     assert first["high"] is None
     assert angle_of(first["angle"], digits) == ZERO
+    distances = []
     for action in others:
         assert set(action) == {"angle", "low", "high"}
         low, angle, high = (angle_of(action[key], digits) for key in ("low", "angle", "high"))
         assert low < angle <= high
+        distances += [angle - low, high - angle]
+    margin = document["margin"]
+    assert (margin is None) == (not distances)
+    assert margin is None or angle_of(margin, digits) == min(distances)
     _check_execution(document, transfer)
 
 

@@ -10,11 +10,13 @@ import math
 from fractions import Fraction
 from math import gcd
 
+from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from stochgeom.errors import InvalidPartError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.scalars import common_denominator
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
@@ -314,3 +316,120 @@ def symmetric_hulls(draw: st.DrawFn) -> Part:
     if draw(st.booleans()):
         corners |= {(-y, x) for x, y in corners}
     return _part_or_reject(_in_hull_order(sorted(corners)))
+
+
+@st.composite
+def pushable_parts(draw: st.DrawFn) -> Part:
+    """Parts of all kinds with a centre of mass strictly inside the hull.
+
+    Mostly a point of the half-integer grid, so that it often lies straight over an edge's end;
+    else a mean of the hull's corners by random weights.
+    """
+    part = draw(st.one_of(parts(), parts(), symmetric_hulls(), nearly_regular()))
+    corners = part.hull.points.pairs()
+    weights = draw(st.lists(st.integers(1, 9), min_size=len(corners), max_size=len(corners)))
+    x, y = (
+        sum(w * c[axis] for w, c in zip(weights, corners, strict=True)) / sum(weights)
+        for axis in (0, 1)
+    )
+    if draw(st.integers(0, 3)):
+        near = Part(part.vertices, (round(2 * x) / Fraction(2), round(2 * y) / Fraction(2)))
+        if near.center_of_mass_side == 1:
+            return near
+    return Part(part.vertices, (x, y))
+
+
+# --- centres of mass -----------------------------------------------------------------------------
+
+
+@st.composite
+def centered_parts(draw: st.DrawFn) -> Part:
+    """Parts with a centre of mass strictly inside the hull, often a point of a half-unit grid.
+
+    So the centre often lies straight above a vertex, or over the end of an edge. Some parts are
+    turned, scaled and moved.
+    """
+    part = draw(st.one_of(parts(), parts(), nearly_regular(most=7)))
+    place = draw(st.sampled_from(["grid", "grid", "weighted", "centroid"]))
+    corners = part.hull.points.pairs()
+    center = None
+    if place == "grid":
+        inside = [
+            (Fraction(x, 2), Fraction(y, 2))
+            for x in range(-9, 10)
+            for y in range(-9, 10)
+            if _is_inside(corners, x, y)
+        ]
+        center = draw(st.sampled_from(inside)) if inside else None
+    elif place == "weighted":
+        weights = draw(st.lists(st.integers(1, 9), min_size=len(corners), max_size=len(corners)))
+        center = tuple(
+            sum(w * corner[axis] for w, corner in zip(weights, corners, strict=True)) / sum(weights)
+            for axis in (0, 1)
+        )
+    part = Part(part.vertices, center)
+    if draw(st.booleans()):
+        return part
+    return part.multiply(draw(factors)).translate(*draw(shifts))
+
+
+@st.composite
+def long_centered_parts(draw: st.DrawFn) -> Part:
+    """Large parts whose centre of mass has a denominator of 20 digits, or misses a grid by 1e-20.
+
+    Their vertices fit machine integers; in units that are whole for the centre they do not.
+    """
+    part = draw(centered_parts())
+    size = 10**9 * (common_denominator([v for p in part.vertices for v in p]))
+    if max(abs(v) for p in part.vertices for v in p) * size >= 2**51:
+        size = 10**6
+    near = st.sampled_from([Fraction(k, 10**20 + 39) for k in (0, 0, 1, -1, 10**20 // 3)])
+    cx, cy = part.scale(size).center_of_mass
+    return Part(part.scale(size).vertices, (cx + draw(near), cy + draw(near)))
+
+
+def _is_inside(corners: tuple[tuple[mpq, mpq], ...], x: int, y: int) -> bool:
+    """Tell whether (x / 2, y / 2) is strictly to the left of every edge."""
+    return all(
+        (bx - ax) * (y - 2 * ay) > (by - ay) * (x - 2 * ax)
+        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True)
+    )
+
+
+# --- priors --------------------------------------------------------------------------------------
+
+grid_degrees = st.integers(0, 23).map(lambda k: Fraction(15 * k))
+"""Orientations on a grid of 15 degrees, so that windows often begin or end on one."""
+
+grid_widths = st.integers(1, 144).map(lambda k: Fraction(5 * k, 2))
+"""Widths on a grid of 2.5 degrees, a full turn among them."""
+
+
+@st.composite
+def weighted_points(draw: st.DrawFn) -> dict[Fraction, Fraction]:
+    """Weights of sum 1 on grid orientations, some of them 0, many of them equal."""
+    counts = draw(st.dictionaries(grid_degrees, st.integers(0, 3), min_size=1, max_size=8))
+    total = sum(counts.values())
+    if total == 0:
+        counts[next(iter(counts))] = total = 1
+    return {place: Fraction(count, total) for place, count in counts.items()}
+
+
+@st.composite
+def histograms(draw: st.DrawFn) -> tuple[list[Fraction], list[int]]:
+    """Edges on the grid, the first one perhaps negative, and counts; the bins may leave a gap."""
+    first = draw(st.integers(-24, 24))
+    steps = sorted(draw(st.sets(st.integers(1, 24), min_size=1, max_size=7)))
+    counts = draw(st.lists(st.integers(0, 3), min_size=len(steps), max_size=len(steps)))
+    if not any(counts):
+        counts[-1] = 1
+    return [Fraction(15 * (first + step)) for step in (0, *steps)], counts
+
+
+@st.composite
+def circle_points(draw: st.DrawFn) -> list[tuple[Angle, Fraction]]:
+    """Weights of sum 1 at angles of all kinds, some only `TINY` apart."""
+    places = draw(st.lists(orientations, min_size=1, max_size=7))
+    places += [place + TINY for place in places if draw(st.booleans())]
+    counts = [draw(st.integers(1, 3)) for _ in places]
+    return [(p, Fraction(count, sum(counts))) for p, count in zip(places, counts, strict=True)]

@@ -6,17 +6,21 @@ import argparse
 import json
 from typing import Any
 
+from gmpy2 import mpq
+
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_text import plan_text
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import FormatError, InputError
-from stochgeom.feeding.planner import FeedingProblem
+from stochgeom.exact.ratios import TurnRatio
+from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, FeedingProblem
 from stochgeom.geometry.part import Part
 from stochgeom.io.files import write_whole
 from stochgeom.io.load import load_part, part_of
 from stochgeom.io.outlines import Outline, parse_vertices
 from stochgeom.io.plan_json import plan_document
+from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 SOURCE is a part of the catalogue (see: stochgeom parts), a file, or - for standard input. Files
@@ -26,6 +30,7 @@ tenth. examples:
   stochgeom plan house
   stochgeom plan outline.txt --cost-ratio 1/2 --certificate plan.json
   stochgeom plan --vertices "0,0 3,0 3,2 0,2" --json
+  stochgeom plan house --center-of-mass "0,2/5" --action push-grasp --gripper-error 2
 """
 
 
@@ -42,7 +47,27 @@ def add_parser(commands: Any) -> None:
     parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to plan for")
     parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
     parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
-    parser.add_argument("--action", default="squeeze", choices=["squeeze"], help="default squeeze")
+    parser.add_argument(
+        "--action",
+        default="squeeze",
+        choices=sorted(TRANSFER_FUNCTIONS),
+        help="what the gripper does; default squeeze. A push-grasp pushes with the lower jaw first",
+    )
+    parser.add_argument(
+        "--prior",
+        metavar="PRIOR",
+        help='how parts arrive: uniform (default), "normal:MEAN,SD" in degrees, or a file',
+    )
+    parser.add_argument(
+        "--gripper-error",
+        metavar="DEGREES",
+        help="every action may be off by so much either way; default 0. Also tells how much may be",
+    )
+    parser.add_argument(
+        "--goal",
+        metavar="ANGLE",
+        help='final orientation in degrees, or "most stable"; default any',
+    )
     parser.add_argument(
         "--cost-ratio",
         default="1",
@@ -62,12 +87,19 @@ def add_parser(commands: Any) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Plan, print, return the exit code."""
     digits = read_digits(arguments.digits)
-    problem = FeedingProblem(read_part(arguments), arguments.action)
+    problem = FeedingProblem(
+        read_part(arguments),
+        arguments.action,
+        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        gripper_error=arguments.gripper_error,
+        goal=arguments.goal,
+    )
     optimal = problem.optimal_plan(arguments.cost_ratio)  # refuses a bad ratio before the work
     with Progress("phase I: width of the last preimage, of a period") as progress:
         for preimage in problem.preimages:
-            progress.show(float(problem.probability(preimage.steps)) * problem.transfer.order)
-    geometric = problem.geometric_plan(arguments.cost_ratio)
+            progress.show(float(TurnRatio(mpq(problem.transfer.order), preimage.width)))
+    complete = problem.preimages.complete
+    geometric = problem.geometric_plan(arguments.cost_ratio) if complete else None
     if arguments.certificate is not None:
         write_whole(arguments.certificate, json.dumps(optimal.certificate(), indent=1) + "\n")
     if arguments.json:

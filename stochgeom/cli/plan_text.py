@@ -5,64 +5,127 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
+from stochgeom.decision.costs import Number, expected_cost
+from stochgeom.exact.angles import Angle
 from stochgeom.exact.decimals import Rounding
-from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
-from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.plans import FeedingPlan
-
-CONVENTION = (
-    "Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges are\n"
-    "rounded inwards, so all of them works as printed. Up to symmetry means: of the squeeze\n"
-    "function, which cannot tell those orientations apart."
-)
+from stochgeom.feeding.problem import FeedingProblem
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
 
 
 def plan_text(
-    problem: FeedingProblem, optimal: FeedingPlan, geometric: FeedingPlan, digits: int
+    problem: FeedingProblem, optimal: FeedingPlan, geometric: FeedingPlan | None, digits: int
 ) -> str:
-    """Return the whole report of ``stochgeom plan``."""
+    """Return the whole report of ``stochgeom plan``.
+
+    ``geometric`` is None if no plan orients the part up to symmetry with the gripper's error.
+    """
     blocks = [_headline(problem, digits)]
-    same = optimal.steps == geometric.steps
+    same = geometric is not None and optimal.steps == geometric.steps
     title = "Stochastically optimal plan"
     if same:
-        title += ", also the shortest that orients the part up to symmetry"
+        title += f", also the shortest that {_orients(optimal)}"
     blocks.append(_plan_block(title, optimal, digits))
-    if not same:
-        blocks.append(
-            _plan_block("Shortest plan that orients the part up to symmetry", geometric, digits)
-        )
-    blocks.append(CONVENTION)
+    if geometric is not None and not same:
+        title = f"Shortest plan that {_orients(geometric)}"
+        blocks.append(_plan_block(title, geometric, digits))
+    blocks.append(_convention(optimal))
+    blocks.append(error_text(problem, optimal, geometric, digits))
     blocks.append(_costs_block(problem, optimal, digits))
     blocks.append(_summary(optimal))
-    if not same:
+    if geometric is not None and not same:
         blocks.append(_summary(geometric))
     return "\n\n".join(blocks)
 
 
+def _orients(plan: FeedingPlan) -> str:
+    how = "uniquely" if plan.transfer.order == 1 else "up to symmetry"
+    return f"orients the part {how}"
+
+
+def _convention(plan: FeedingPlan) -> str:
+    lines = [
+        "Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges",
+        "are rounded inwards, so all of them works as printed.",
+    ]
+    if plan.transfer.order > 1:
+        lines[1] += " Up to symmetry means: of the"
+        lines.append(f"{plan.action_name} function, which cannot tell those orientations apart.")
+    return "\n".join(lines)
+
+
+def error_text(
+    problem: FeedingProblem, optimal: FeedingPlan, geometric: FeedingPlan | None, digits: int
+) -> str:
+    """Return what the plans bear of gripper error, in a line each."""
+    lines = []
+    if problem.gripper_error is not None:
+        given = problem.gripper_error.degrees(digits)
+        lines.append(f"Every action may be off by {given} degrees either way.")
+    plans = {plan.steps: plan for plan in (optimal, geometric) if plan is not None}
+    for plan in plans.values():
+        margin = plan.margin
+        name = f"The {plan.steps}-step plan"
+        if margin is None and plan.prior is None:
+            lines.append(f"{name} bears any gripper error: its only turn is random.")
+        elif margin is None:
+            lines.append(f"{name} has one turn, and an error of it moves the mouth.")
+        else:
+            least = margin.degrees(digits, Rounding.DOWN)
+            lines.append(f"{name} bears every gripper error below {least} degrees.")
+    if problem.gripper_error is not None:
+        lines.append(_largest_error(problem, complete=geometric is not None, digits=digits))
+    return "\n".join(lines)
+
+
+def _largest_error(problem: FeedingProblem, *, complete: bool, digits: int) -> str:
+    how = "uniquely" if problem.transfer.order == 1 else "up to symmetry"
+    bound = problem.largest_gripper_error()
+    if bound is None:
+        return f"One action orients the part {how}, whatever its error."
+    lacking = "" if complete else f"No plan orients the part {how} with this error. "
+    most = bound.degrees(digits)
+    return f"{lacking}Plans that orient it {how} exist for every error below {most} degrees."
+
+
 def _headline(problem: FeedingProblem, digits: int) -> str:
     part, transfer = problem.part, problem.transfer
-    name = part.name or "part"
-    lines = [
-        f"{name}: {len(part)} vertices, {len(part.hull)} on the convex hull",
-        (
-            f"{problem.action} function: {count(len(transfer), 'step')} in a period of "
-            f"{transfer.period.degrees(digits)} degrees, "
-            f"{len(transfer) * transfer.order} stable orientations in a full turn"
-        ),
-    ]
-    if part.has_given_center and part.center_of_mass_side < 0:
+    lines = []
+    if part is not None:
+        name = part.name or "part"
+        lines.append(f"{name}: {len(part)} vertices, {len(part.hull)} on the convex hull")
+    states = len(transfer) * transfer.order
+    kind = "stable" if problem.action == "squeeze" else "final"
+    lines.append(
+        f"{problem.action} function: {count(len(transfer), 'step')} in a period of "
+        f"{transfer.period.degrees(digits)} degrees, "
+        f"{states} {kind} orientations in a full turn"
+    )
+    if part is not None and part.has_given_center and part.center_of_mass_side < 0:
         lines.append("the centre of mass lies outside the hull; squeezing does not depend on it")
-    if part.holes:
+    if part is not None and part.holes:
         lines.append(
             f"{count(len(part.holes), 'hole')}: jaws touch the convex hull only, so holes just "
             "shift the uniform centroid"
         )
+    if problem.prior is not None:
+        lines.append(f"prior: {problem.prior.describe()}")
+    if problem.goal is not None:
+        final = ", ".join(
+            (transfer.values[k] % transfer.period).degrees(digits)
+            for k in problem.final_steps or ()
+        )
+        lines.append(f"goal: {_goal_words(problem)}, the final orientation at {final} degrees")
     return "\n".join(lines)
+
+
+def _goal_words(problem: FeedingProblem) -> str:
+    goal = problem.goal
+    return f"{goal.degrees(4)} degrees" if isinstance(goal, Angle) else str(goal)
 
 
 def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
@@ -74,7 +137,7 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
         if step in steps:
             rows[step] = [
                 str(step),
-                *_angle_and_range(action, digits),
+                *_angle_and_range(action, digits, random=plan.prior is None),
                 str(len(outcome)),
                 outcome.most_likely().decimal(digits),
             ]
@@ -82,14 +145,16 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
     return f"{title}\n{table(header, [rows[step] for step in steps])}"
 
 
-def _angle_and_range(action: Action, digits: int) -> tuple[str, str]:
+def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:
     """Return decimals that work as they stand, with more digits than asked for if need be.
 
     The range is rounded inwards, and the angle lies inside the rounded range: who types in what
     is printed gets a plan that works.
     """
     if action.low is None or action.high is None:
-        return "random", "any angle"
+        if random:
+            return "random", "any angle"
+        return action.angle.degrees(digits), "the prior"
     while True:
         low = action.low.degrees(digits, Rounding.UP)
         high = action.high.degrees(digits, Rounding.DOWN)
@@ -107,6 +172,9 @@ def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str
             rows.append(["...", "", "", ""])
             continue
         width = found[steps - 1].width.degrees(digits)
+        if problem.placement(steps) is None:
+            rows.append([str(steps), width, "0", "none"])
+            continue
         probability = problem.probability(steps).decimal(digits)
         cost = problem.expected_cost(steps, plan.cost_ratio).decimal(digits)
         rows.append([str(steps), width, probability, cost])
@@ -146,8 +214,8 @@ def sentence(plan: FeedingPlan) -> str:
             f"{plan.probability.decimal(4)}"
         )
     passes = "" if plan.cost_ratio == 1 else f" at {rational_text(plan.cost_ratio)} each"
-    rounds = TurnRatio(mpq(1), plan.mouth.width, inverse=True)
-    each = TurnRatio(mpq(plan.steps), plan.mouth.width, inverse=True)
+    rounds = expected_cost(mpq(1), plan.probability)
+    each = expected_cost(mpq(plan.steps), plan.probability)
     return (
         f"{what}; expected cost {plan.expected_cost.decimal(2)} {plan.action_name} times: "
         f"{_amount(each, plan.action_name)} and {_amount(rounds, 'filter pass')}{passes}."
@@ -167,7 +235,7 @@ def _summary(plan: FeedingPlan) -> str:
     )
 
 
-def _amount(number: TurnRatio, noun: str) -> str:
+def _amount(number: Number, noun: str) -> str:
     exact = number.rational
     if exact is not None and exact.denominator == 1:
         return count(int(exact), noun)

@@ -1,41 +1,55 @@
-"""``stochgeom table``: the source's tables, computed and printed side by side."""
+"""``stochgeom table``: the source's tables and figures of numbers, computed and printed."""
 
 from __future__ import annotations
 
 import argparse
 from typing import Any
 
+from stochgeom.cli.evolution_text import evolution_document, evolution_text
 from stochgeom.cli.layout import table
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.thesis.tables import STEPS, Row, table_4_1
+from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
+from stochgeom.thesis.tables import STEPS, Cell, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
+_FIGURES = {"E.5": figure_e_5, "E.8": figure_e_8}
 
 
 def add_parser(commands: Any) -> None:
     """Register the command."""
     parser = commands.add_parser(
         "table",
-        help="recompute a table of the source",
-        description="Print a table of Goldberg (1990), computed and printed values side by side.",
+        help="recompute a table of the source, or a figure of numbers",
+        description="Print a table of Goldberg (1990), or a figure of numbers, computed and "
+        "printed values side by side.",
     )
-    parser.add_argument("number", choices=sorted(_TABLES), metavar="NUMBER", help="4.1")
+    numbers = sorted({*_TABLES, *_FIGURES})
+    parser.add_argument("number", choices=numbers, metavar="NUMBER", help=", ".join(numbers))
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/table/1 document")
+    parser.add_argument("--json", action="store_true", help="print a JSON document")
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; exit code 1 if a cell differs that no erratum explains."""
     digits = read_digits(arguments.digits)
-    rows = _TABLES[arguments.number]()
-    if arguments.json:
-        write_json(table_document(arguments.number, rows, digits))
+    cells: list[Cell]
+    if arguments.number in _FIGURES:
+        evolution = _FIGURES[arguments.number]()
+        text = evolution_text(evolution, digits)
+        document = evolution_document(evolution, digits)
+        cells = list(evolution.cells)
     else:
-        write(table_text(arguments.number, rows, digits))
-    unexplained = [c for row in rows for c in row.cells if not c.agrees and c.erratum is None]
-    return 1 if unexplained else 0
+        rows = _TABLES[arguments.number]()
+        text = table_text(arguments.number, rows, digits)
+        document = table_document(arguments.number, rows, digits)
+        cells = [cell for row in rows for cell in row.cells]
+    if arguments.json:
+        write_json(document)
+    else:
+        write(text)
+    return 1 if any(not cell.agrees and cell.erratum is None for cell in cells) else 0
 
 
 def table_text(number: str, rows: tuple[Row, ...], digits: int) -> str:

@@ -120,8 +120,11 @@ def _verify_certificate(path: str, wants_json: bool) -> int:
 
 def _summary(document: dict[str, Any]) -> str:
     """Say what the certificate has proved; the checker has found every field to be right."""
-    plan, name = document["plan"], document["part"]["name"] or "this part"
-    steps = f"{plan['steps']} squeeze" + ("" if plan["steps"] == 1 else "s")
+    plan, part = document["plan"], document["part"]
+    name = part["name"] or "this part"
+    if "center_of_mass" in part:  # given, not proved
+        name += f", its centre of mass at ({', '.join(part['center_of_mass'])})"
+    steps = f"{plan['steps']} {document['action']}" + ("" if plan["steps"] == 1 else "s")
     claims = []
     if plan["optimal"]:
         claims.append(f"of least expected cost at a cost ratio of {document['cost_ratio']}")

@@ -7,10 +7,125 @@ costs i + c in units of c_a. If it succeeds with probability p, the expected cos
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import total_ordering
+from typing import TYPE_CHECKING, Any, Protocol, final
+
 from gmpy2 import mpq
 
 from stochgeom.errors import CostError, InputError, NumberError
+from stochgeom.exact.balls import Ball, certified_float
+from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import RationalLike, rational
+
+if TYPE_CHECKING:
+    import sympy
+
+    from stochgeom.exact.sums import Probability
+
+
+class Number(Protocol):
+    """What an expected cost can do, whatever the probability in it is made of."""
+
+    @property
+    def rational(self) -> mpq | None:
+        """The exact value if it is known to be rational, else None."""
+
+    def ball(self) -> Ball:
+        """Return an Arb ball around the number, at the working precision."""
+
+    def decimal(self, digits: int = 4) -> str:
+        """Return the number as a correctly rounded decimal."""
+
+    def to_sympy(self) -> sympy.Expr:
+        """Return the number as an exact sympy expression."""
+
+    def compare(self, other: Any) -> int:
+        """Return -1, 0 or 1."""
+
+    def __lt__(self, other: Any) -> bool: ...
+
+    def __float__(self) -> float: ...
+
+
+@final
+@total_ordering
+@dataclass(frozen=True, slots=True, eq=False)
+class CostOverProbability:
+    """The expected cost r / p of rounds that cost r and succeed with probability p > 0.
+
+    Attributes
+    ----------
+    per_round : mpq
+        r.
+    probability : Probability
+        p, of any kind.
+    """
+
+    per_round: mpq
+    probability: Probability
+
+    @property
+    def rational(self) -> mpq | None:
+        """The exact value if it is known to be rational, else None."""
+        p = self.probability.rational
+        return None if p is None else self.per_round / p
+
+    def ball(self) -> Ball:
+        """Return an Arb ball around the number, at the working precision."""
+        p = self.probability.ball()
+        return int(self.per_round.numerator) / (p * int(self.per_round.denominator))
+
+    def decimal(self, digits: int = 4) -> str:
+        """Return the number as a correctly rounded decimal (ties to even)."""
+        exact = self.rational
+        if exact is not None:
+            return rational_decimal(exact, digits)
+        return certified_decimal(self.ball, digits)
+
+    def to_sympy(self) -> sympy.Expr:
+        """Return the number as an exact sympy expression, if the probability has one."""
+        import sympy
+
+        r = sympy.Rational(int(self.per_round.numerator), int(self.per_round.denominator))
+        return r / self.probability.to_sympy()
+
+    def compare(self, other: CostOverProbability) -> int:
+        """Return -1, 0 or 1: r / p < s / q iff r q < s p."""
+        mine = other.probability.scaled(self.per_round)
+        return int(mine.compare(self.probability.scaled(other.per_round)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, CostOverProbability):
+            return NotImplemented
+        return self.compare(other) == 0
+
+    def __hash__(self) -> int:
+        return hash(self.decimal(12))
+
+    def __lt__(self, other: CostOverProbability) -> bool:
+        return self.compare(other) < 0
+
+    def __float__(self) -> float:
+        return certified_float(self.ball)
+
+    def __str__(self) -> str:
+        return self.decimal(4)
+
+
+def expected_cost(per_round: mpq, probability: Probability) -> Number:
+    """Return r / p, the expected cost of rounds that cost r and succeed with probability p.
+
+    Examples
+    --------
+    >>> from stochgeom.exact.angles import Angle
+    >>> str(expected_cost(mpq(2), TurnRatio(mpq(1), Angle.from_degrees(90))))
+    '8.0000'
+    """
+    if isinstance(probability, TurnRatio):
+        return TurnRatio(per_round / probability.coefficient, probability.angle, inverse=True)
+    return CostOverProbability(per_round, probability)
 
 
 def as_cost_ratio(value: RationalLike) -> mpq:

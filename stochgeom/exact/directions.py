@@ -49,6 +49,41 @@ def nominal_angle(low: Angle, high: Angle) -> Angle:
     return angle
 
 
+def nominal_inside(low: Angle, high: Angle, margin: Angle) -> Angle:
+    """Return the simplest angle near the middle with more than `margin` to `low`.
+
+    To `high` it has at least that. A rational direction if low and high are ones, whatever the
+    margin is.
+
+    Parameters
+    ----------
+    low, high : Angle
+        More than twice the margin apart.
+    margin : Angle
+        0 or more.
+
+    Examples
+    --------
+    >>> nominal_inside(Angle.from_degrees(0), Angle.from_degrees(90), Angle.from_degrees(44))
+    Angle(0, (1, 1))
+    """
+    angle = nominal_angle(low, high)
+    if not margin:
+        return angle
+    least, most = low + margin, high - margin
+    if not _are_directions(low, high):
+        return angle if least < angle <= most else nominal_angle(least, most)
+    width = high - low
+    middle, around = low + _half(width), width
+    while not least < angle <= most:
+        # `middle` is the middle but for a 2**-16th; if that is too rough, the rest is halved.
+        around = _half(around)
+        angle = simplest_between(middle - around, middle + around)
+        if not least < middle <= most:
+            return nominal_angle(least, most)
+    return angle
+
+
 def just_above(low: Angle, high: Angle) -> Angle:
     """Return an angle above `low` by less than a 2**-20th of the way to `high`."""
     width = _width(low, high)

@@ -138,7 +138,33 @@ def _gather(constant: mpq, terms: list[tuple[mpq, Angle]]) -> tuple[mpq, _Direct
     return constant, {direction: q for direction, q in directions.items() if q}
 
 
+def rational_form(
+    turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]] = ()
+) -> mpq | None:
+    """Return ``turns + sum of q * angle`` in full turns if it is rational, else None.
+
+    Examples
+    --------
+    >>> rational_form(0, [(4, Angle(0, (5, 1))), (-1, Angle(0, (239, 1)))])
+    mpq(1,8)
+    >>> rational_form(0, [(4, Angle(0, (5, 1)))]) is None
+    True
+    """
+    constant, directions = _gather(rational(turns), [(rational(q), angle) for q, angle in terms])
+    if not directions:
+        return constant
+    # One direction that is no eighth of a turn has an irrational number of turns.
+    rest = _rational_turns(directions) if len(directions) > 1 else None
+    return None if rest is None else constant + rest
+
+
 def _is_zero(constant: mpq, directions: _Directions) -> bool:
+    rest = _rational_turns(directions)
+    return rest is not None and bool(constant == -rest)
+
+
+def _rational_turns(directions: _Directions) -> mpq | None:
+    """Return sum of q arg(z) in turns if it is rational, else None."""
     denominator = common_denominator(list(directions.values()))
     powers = {Gaussian(x, y): int((q * denominator).numerator) for (x, y), q in directions.items()}
     both = [number for z in powers for number in (z, z.conjugate())]
@@ -147,8 +173,8 @@ def _is_zero(constant: mpq, directions: _Directions) -> bool:
             n * (exponent(z, element) - exponent(z.conjugate(), element)) for z, n in powers.items()
         )
         if total:
-            return False
-    return bool(constant * denominator * 8 == -_whole_eighths(powers))
+            return None
+    return mpq(_whole_eighths(powers), 8 * denominator)
 
 
 def _whole_eighths(powers: dict[Gaussian, int]) -> int:

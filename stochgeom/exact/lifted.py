@@ -108,8 +108,8 @@ class LiftedAngles:
 
     # --- comparisons -----------------------------------------------------------------------------
 
-    def last_below(self, offset: Angle | Gap) -> Indices:
-        """Return for each i in [0, m) the last k with a_k < a_i + offset.
+    def last_below(self, offset: Angle | Gap, at: Indices | None = None) -> Indices:
+        """Return for each i in [0, m), or each of `at`, the last k with a_k < a_i + offset.
 
         `offset` is positive and at most the period.  O(m log m) on floats after the shadow, and
         O(log m) exact comparisons for each entry that the shadow leaves open.
@@ -119,14 +119,16 @@ class LiftedAngles:
         # roundings, of values below 2**4 or of multiples of long periods (see `error`).
         margin = 2 * self.error + error + 2.0**-48
         if self._few is not None:
-            return self._last_below_few(self._few, offset, width, margin)
+            every = self._last_below_few(self._few, offset, width, margin)
+            return every if at is None else every[at]
         m, values = len(self), self._shadow
-        targets = values[:m] + width
+        targets = (values[:m] if at is None else values[at]) + width
         after = np.searchsorted(values[: 2 * m], targets)
         unclear = (targets - values[after - 1] <= margin) | (values[after] - targets <= margin)
         last = after - 1
-        for i in np.nonzero(unclear)[0].tolist():
-            last[i] = self._exact_last_below(i, offset, targets[i], margin)
+        for p in np.nonzero(unclear)[0].tolist():
+            i = p if at is None else int(at[p])
+            last[p] = self._exact_last_below(i, offset, targets[p], margin)
         return last
 
     @staticmethod
@@ -235,13 +237,16 @@ class LiftedAngles:
         targets = other._shadow[places] + period * laps + offset.to_float()
         turns = np.floor(targets / period)
         rests = targets - period * turns
+        early = rests < self._shadow[0]  # these belong to the last step of the period before
+        rests += period * early
+        turns -= early
         found = np.searchsorted(self._shadow[: 2 * m], rests, "right") - 1
         # With n periods, the products n * period are off by n (2**-50 + 2**-51 * 2 pi) at most
-        # (the float period, one rounding), and so is each of the four sums: below 8 n 2**-48.
+        # (the float period, one rounding), and so is each of the five sums: below 8 n 2**-48.
         largest = max(float(np.abs(turns).max(initial=0)), float(np.abs(laps).max(initial=0)))
         turn = 1 + int(self.period.turn_part)
         margin = self.error + other.error + turn * (8 + 8 * largest) * 2.0**-48
-        unclear = (found < 0) | (rests - self._shadow[found] <= margin)
+        unclear = rests - self._shadow[found] <= margin
         unclear |= self._shadow[found + 1] - rests <= margin
         result: Indices = found + m * turns.astype(np.intp)
         for p in np.flatnonzero(unclear).tolist():

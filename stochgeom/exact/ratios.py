@@ -52,6 +52,8 @@ class TurnRatio:
     angle: Angle
     inverse: bool = False
 
+    exact = True
+
     def __post_init__(self) -> None:
         exact = rational(self.coefficient, where="coefficient of a ratio")
         object.__setattr__(self, "coefficient", exact)
@@ -73,6 +75,10 @@ class TurnRatio:
         """Return an Arb ball around the number, at the working precision."""
         c, a = rational_ball(self.coefficient), self.angle.ball()
         return c / a if self.inverse else c * a
+
+    def scaled(self, q: RationalLike) -> TurnRatio:
+        """Return the number times a rational number of 0 or more."""
+        return TurnRatio(self.coefficient * rational(q), self.angle, self.inverse)
 
     def decimal(self, digits: int = 4) -> str:
         """Return the number as a correctly rounded decimal (ties to even)."""

@@ -145,8 +145,14 @@ class AngleVector(Sequence[Angle]):
         """
         ax, ay = angle.direction
         x, y = _product(self.x, self.y, ax, ay)
-        # The argument of a product passes a full turn exactly if it is smaller than a factor's.
-        carry = _arguments_below(x, y, self.x, self.y).astype(np.int64)
+        # The argument of a product passes a full turn exactly if it is smaller than a factor's:
+        # by half a turn, or none, if the factor is in the lower half plane, or never.
+        passes = (
+            half_planes(self.x, self.y) & bool(ax < 0)
+            if ay == 0
+            else _arguments_below(x, y, self.x, self.y)
+        )
+        carry = passes.astype(np.int64)
         turn, old = angle.turn_part, self.turn_parts
         # Turns below 2**53 cannot overflow, and a sum beyond is unbounded from the next one on.
         if turn.denominator != 1 or abs(turn) >= EXACT_FLOAT_LIMIT or not fits_float(old):

@@ -23,8 +23,8 @@ from stochgeom.feeding import certificate_checker
 from stochgeom.feeding.adversarial import FAMILIES, Family, families_named
 from stochgeom.feeding.certificates import certificate
 from stochgeom.feeding.exhaustive import first_disagreement, search_plans
-from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part
 
 SCHEMA: Final = "stochgeom/finding/1"

@@ -4,11 +4,15 @@
 
 The file claims: this is the outline's convex hull; these are all strict extrema of its diameter
 function, hence breaks and values of its squeeze function, of this smallest period; these are the
-widest arcs that 1, 2, ... squeezes collapse, up to a whole period; so much do the plans of each
-length cost; these actions, anywhere in their ranges, bring the mouth to one orientation. From the
-outline, the cost ratio and the number of steps everything is computed anew here, in whole numbers
-and by the plainest method, and compared field by field. Only the nominal angles are free inside
-their ranges. (That the outline does not cross itself is no claim: jaws touch the hull only.)
+widest arcs that 1, 2, ... actions collapse, up to a whole period; so much do the plans of each
+length cost; these actions, anywhere in their ranges, bring the mouth to one orientation. Where the
+action is push-grasp, also: these are all strict extrema of the distance from the centre of mass to
+the lower jaw, hence breaks and values of the push function; squeezed after it, the part turns by
+these steps. From the outline, the centre of mass if need be, the cost ratio and the number of
+steps everything is computed anew here, in whole numbers and by the plainest method, and compared
+field by field. Only the nominal angles are free inside their ranges. (That the outline does not
+cross itself is no claim: jaws touch the hull only. Nor is the centre of mass: that depends on
+density and holes.)
 
 An angle is (t, x, y): t turns plus the argument of x + i y in [0, 360) degrees, in whole numbers, x
 and y coprime. At the orientation (t, x, y) a point p of the part stands at p (x + i y).
@@ -100,12 +104,17 @@ def remainder(a: Angle, e: int) -> Angle:
     return add(a, eighths(-(floor_eighths(a) // e) * e))
 
 
-def convex_hull(points: list[tuple[Fraction, Fraction]]) -> list[Corner]:
-    """Return the strict corners, counter-clockwise, from the one of smallest number."""
+def whole(points: list[tuple[Fraction, Fraction]]) -> list[Corner]:
+    """Return the points with their numbers, scaled to whole coordinates."""
     scale = math.lcm(*(number.denominator for point in points for number in point))
+    return [(k, int(x * scale), int(y * scale)) for k, (x, y) in enumerate(points)]
+
+
+def convex_hull(points: list[Corner]) -> list[Corner]:
+    """Return the strict corners, counter-clockwise, from the one of smallest number."""
     numbered: dict[tuple[int, int], int] = {}
-    for k, (x, y) in enumerate(points):
-        numbered.setdefault((int(x * scale), int(y * scale)), k)  # of repeated ones, the first
+    for k, x, y in points:
+        numbered.setdefault((x, y), k)  # of repeated ones, the first
     corners = sorted((x, y, k) for (x, y), k in numbered.items())
     halves = []
     for row in (corners, corners[::-1]):
@@ -128,11 +137,16 @@ def cross(a: tuple[int, int, int], b: tuple[int, int, int], c: tuple[int, int, i
 
 def contacts(hull: list[Corner], a: Angle) -> tuple[list[Corner], list[Corner]]:
     """Return the corners on the lower and on the upper jaw, from left to right along them."""
-    heights = [x * a[2] + y * a[1] for _, x, y in hull]
+    heights = [height(c, a) for c in hull]
     ends = min(heights), max(heights)
     sides = [[c for c, h in zip(hull, heights, strict=True) if h == end] for end in ends]
     lower, upper = (sorted(side, key=lambda c: along(c, a)) for side in sides)
     return lower, upper
+
+
+def height(corner: Corner, a: Angle) -> int:
+    """Return the height of a corner over the origin."""
+    return corner[1] * a[2] + corner[2] * a[1]
 
 
 def along(corner: Corner, a: Angle) -> int:
@@ -164,37 +178,116 @@ def extrema(hull: list[Corner]) -> tuple[list[Angle], list[Angle]]:
     return sorted(maxima, key=ORDER), minima
 
 
-class Squeeze:
-    """The squeeze function of a hull: b_k and v_k for all whole k, period e eighths of a turn."""
+def radius_extrema(hull: list[Corner], center: Corner) -> tuple[list[Angle], list[Angle]]:
+    """Return all strict maxima and minima, in [0, 360) degrees, sorted, of the radius.
 
-    def __init__(self, hull: list[Corner]) -> None:
-        breaks, minima = extrema(hull)
-        # Each break is followed by a minimum, the last one perhaps half a turn on.
-        if compare(minima[0], breaks[0]) < 0:
-            minima = [*minima[1:], add(minima[0], eighths(4))]
-        rows, n = (breaks, minima), len(breaks)
+    That is the centre's distance from the lower jaw. Just after a flush orientation the left end
+    of the edge touches, just before it the right end, and the slope is how far the centre stands
+    to the right of the contact: so a minimum is a flush edge with the centre above its inside, a
+    maximum a corner straight below the centre that touches alone.
+    """
+    edges, minima = zip(hull, hull[1:] + hull[:1], strict=True), []
+    for a, b in edges:
+        here = angle(0, b[1] - a[1], a[2] - b[2])
+        left, right = contacts(hull, here)[0]
+        if height(center, here) <= height(left, here):
+            raise InvalidClaimError("part.center_of_mass", "not strictly inside the hull")
+        if along(left, here) < along(center, here) < along(right, here):
+            minima.append(here)
+    upright = [(c, angle(0, center[2] - c[2], center[1] - c[1])) for c in hull]
+    maxima = [here for c, here in upright if contacts(hull, here)[0] == [c]]
+    return sorted(maxima, key=ORDER), sorted(minima, key=ORDER)
+
+
+class StepMap:
+    """A monotone step map: b_k and v_k for all whole k, period e eighths of a turn.
+
+    Made of the breaks and values of e eighths, the first value being that of the first break.
+    Values that are equal become one step: `kept` are the numbers of the breaks that remain. Then
+    the period is cut to the smallest one.
+    """
+
+    def __init__(self, breaks: list[Angle], values: list[Angle], e: int) -> None:
+        before = [sub(values[-1], eighths(e)), *values]
+        self.kept = [k for k, value in enumerate(values) if value != before[k]]
+        rows = [[row[k] for k in self.kept] for row in (breaks, values)]
+        n = len(self.kept)
         # Rational directions differ by whole eighths of a turn or by irrational turns, so no
         # other periods come into question.
-        for parts in (4, 2, 1):
-            self.e, self.m = 4 // parts, n // parts
+        for parts in (8, 4, 2, 1):
+            self.e, self.m = e // parts, n // parts
             pairs = [pair for row in rows for pair in zip(row, row[self.m :], strict=False)]
-            if n % parts == 0 and all(b == add(a, eighths(self.e)) for a, b in pairs):
+            whole = e % parts == 0 and n % parts == 0
+            if whole and all(b == add(a, eighths(self.e)) for a, b in pairs):
                 break
-        self.breaks, self.values = breaks[: self.m], minima[: self.m]
+        self.breaks, self.values = (row[: self.m] for row in rows)
 
     def at(self, row: list[Angle], k: int) -> Angle:
         """Return entry k of a row that repeats with the period."""
         return add(row[k % self.m], eighths(k // self.m * self.e))
 
-    def apply(self, a: Angle, *, from_left: bool = False) -> Angle:
-        """Return s(a), or the value of s just before a."""
+    def step(self, a: Angle, *, from_left: bool = False) -> int:
+        """Return the number of the step at a, or just before a."""
         laps = floor_eighths(a) // self.e
         rest = ORDER(add(a, eighths(-laps * self.e)))
         search = bisect_left if from_left else bisect_right
-        return self.at(self.values, laps * self.m + search(self.breaks, rest, key=ORDER) - 1)
+        return laps * self.m + search(self.breaks, rest, key=ORDER) - 1
+
+    def apply(self, a: Angle, *, from_left: bool = False) -> Angle:
+        """Return s(a), or the value of s just before a."""
+        return self.at(self.values, self.step(a, from_left=from_left))
 
 
-def preimages(s: Squeeze) -> list[dict[str, Any]]:
+def from_extrema(maxima: list[Angle], minima: list[Angle], e: int) -> StepMap:
+    """Return the map from each maximum on to the minimum that follows, perhaps a period on."""
+    if compare(minima[0], maxima[0]) < 0:
+        minima = [*minima[1:], add(minima[0], eighths(e))]
+    return StepMap(maxima, minima, e)
+
+
+def touching(hull: list[Corner], row: list[Angle]) -> list[dict[str, Any]]:
+    """Return angles with the vertices on both jaws: one that is upright, or a flush edge."""
+    sides = [contacts(hull, a) for a in row]
+    numbers = [[[c[0] for c in side] for side in pair] for pair in sides]
+    return [{"angle": a, "lower": p, "upper": q} for a, (p, q) in zip(row, numbers, strict=True)]
+
+
+def squeeze(hull: list[Corner]) -> tuple[StepMap, dict[str, Any]]:
+    """Return the squeeze function, and what a certificate says of it."""
+    s = from_extrema(*extrema(hull), 4)
+    breaks, values = (touching(hull, row) for row in (s.breaks, s.values))
+    return s, {"period": eighths(s.e), "breaks": breaks, "values": values}
+
+
+def push(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
+    """Return the push function, and what a certificate says of it."""
+    p = from_extrema(*radius_extrema(hull, center), 8)
+    breaks, values = (touching(hull, row) for row in (p.breaks, p.values))
+    return p, {
+        "period": eighths(p.e),
+        "breaks": [{"angle": row["angle"], "vertex": row["lower"][0]} for row in breaks],
+        "values": [{"angle": row["angle"], "edge": row["lower"]} for row in values],
+    }
+
+
+def push_grasp(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
+    """Return squeeze after push, by the numbers of their steps, and what a certificate says."""
+    (p, push_claims), (s, squeeze_claims) = push(hull, center), squeeze(hull)
+    turn = range(p.m * (8 // p.e))
+    steps = [s.step(p.at(p.values, k)) for k in turn]
+    values = [s.at(s.values, step) for step in steps]
+    both = StepMap([p.at(p.breaks, k) for k in turn], values, 8)
+    numbered = list(zip(both.kept, both.breaks, both.values, strict=False))
+    return both, {
+        "push": push_claims,
+        "squeeze": squeeze_claims,
+        "period": eighths(both.e),
+        "breaks": [{"angle": b, "push_break": k} for k, b, _ in numbered],
+        "values": [{"angle": v, "squeeze_value": steps[k]} for k, _, v in numbered],
+    }
+
+
+def preimages(s: StepMap) -> list[dict[str, Any]]:
     """Return the widest arcs with an image narrower than the last one, up to a period.
 
     They begin at breaks: one pointer runs over the starts, one over the ends. Of equally wide ones
@@ -301,7 +394,7 @@ def actions(chain: list[dict[str, Any]], nominal: list[Angle]) -> list[dict[str,
     return found
 
 
-def run_forward(s: Squeeze, chain: list[dict[str, Any]], plan: list[dict[str, Any]]) -> None:
+def run_forward(s: StepMap, chain: list[dict[str, Any]], plan: list[dict[str, Any]]) -> None:
     """Run the mouth through the plan: it must collapse inside the ranges, and not at a lower end.
 
     Just above a lower end, the step just before the sum applies. At a lower end the plan must fail
@@ -314,7 +407,8 @@ def run_forward(s: Squeeze, chain: list[dict[str, Any]], plan: list[dict[str, An
         return [s.apply(sub(end, alpha), from_left=just_above) for end in ends]
 
     def collapses(ends: list[Angle], alphas: list[Angle]) -> bool:
-        return [remainder(end, 8) for end in reduce(act, alphas, ends)] == [goal, goal]
+        low, high = reduce(act, alphas, ends)  # a turn apart, they would not be one
+        return low == high and remainder(low, 8) == goal
 
     first = above = [s.apply(start), s.apply(end, from_left=True)]
     for k, action in enumerate(plan[1:], start=1):
@@ -327,21 +421,26 @@ def run_forward(s: Squeeze, chain: list[dict[str, Any]], plan: list[dict[str, An
 
 
 def certify(document: Any) -> dict[str, Any]:
-    """Return what a certificate must say, given its outline, cost ratio, steps and angles."""
+    """Return what a certificate must say, given its outline, cost ratio, steps and angles.
+
+    The centre of mass is given as well where the action is push-grasp.
+    """
     part, plan = read(document, "part", dict), read(document, "plan", dict)
     if not isinstance(name := part.get("name"), str | None):
         raise NoCertificateError("part.name", f"{shown(name)} is neither text nor null")
-    pairs, points = read(part, "part.vertices", list), []
-    for k, pair in enumerate(pairs):
-        if not isinstance(pair, list) or len(pair) != 2:
-            raise NoCertificateError(f"part.vertices.{k}", f"{shown(pair)} is no pair")
-        x, y = (rational(number, f"part.vertices.{k}") for number in pair)
-        points.append((x, y))
+    pairs = read(part, "part.vertices", list)
+    points = [read_point(pair, f"part.vertices.{k}") for k, pair in enumerate(pairs)]
+    if (action := document.get("action")) not in ("squeeze", "push-grasp"):
+        raise InvalidClaimError("action", f"claimed {shown(action)}, no squeeze or push-grasp")
+    if pushed := action == "push-grasp":
+        pair = read(part, "part.center_of_mass", list)
+        points.append(read_point(pair, "part.center_of_mass"))
+    corners = whole(points)
     cost_ratio = rational(read(document, "cost_ratio", str), "cost_ratio")
     if cost_ratio < 0:
         raise InvalidClaimError("cost_ratio", "negative")
-    hull = convex_hull(points)
-    s = Squeeze(hull)
+    hull = convex_hull(corners[: len(pairs)])
+    s, transfer = push_grasp(hull, corners[-1]) if pushed else squeeze(hull)
     chain = preimages(s)
     best, compared = costs(chain, cost_ratio)
     steps = read(plan, "plan.steps", int)
@@ -354,12 +453,10 @@ def certify(document: Any) -> dict[str, Any]:
     run_forward(s, used, listed)
     return {
         "schema": SCHEMA,
-        "action": "squeeze",
-        "part": {"name": name, "vertices": pairs},
+        "action": action,
+        "part": {"name": name, "vertices": pairs} | ({"center_of_mass": pair} if pushed else {}),
         "hull": [k for k, _, _ in hull],
-        "period": eighths(s.e),
-        "breaks": touching(hull, s.breaks),
-        "values": touching(hull, s.values),
+        **transfer,
         "preimages": chain,
         "cost_ratio": document["cost_ratio"],
         "costs": compared,
@@ -375,11 +472,11 @@ def certify(document: Any) -> dict[str, Any]:
     }
 
 
-def touching(hull: list[Corner], row: list[Angle]) -> list[dict[str, Any]]:
-    """Return angles with the vertices on both jaws: two upright ones, or a flush edge."""
-    sides = [contacts(hull, a) for a in row]
-    numbers = [[[c[0] for c in side] for side in pair] for pair in sides]
-    return [{"angle": a, "lower": p, "upper": q} for a, (p, q) in zip(row, numbers, strict=True)]
+def read_point(pair: Any, place: str) -> tuple[Fraction, Fraction]:
+    """Read two rational numbers."""
+    if not isinstance(pair, list) or len(pair) != 2:
+        raise NoCertificateError(place, f"{shown(pair)} is no pair")
+    return rational(pair[0], place), rational(pair[1], place)
 
 
 def read(value: Any, place: str, kind: type) -> Any:

@@ -7,6 +7,7 @@ planner, computes each one anew.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Final, Protocol
 
 import numpy as np
@@ -18,9 +19,14 @@ from stochgeom.exact.arcs import Arc
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
+from stochgeom.feeding.certified_transfer import (
+    CERTIFIED_ACTIONS,
+    angle_claim,
+    hull_numbers,
+    part_claims,
+    transfer_claims,
+)
 from stochgeom.feeding.preimages import Preimage, Preimages
-from stochgeom.geometry.calipers import NO_EDGE
-from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.step_function import StepFunction
 
@@ -36,6 +42,14 @@ class CertifiablePlan(Protocol):
     cost_ratio: mpq
     part: Part | None
     action_name: str
+
+    @property
+    def prior(self) -> object | None:
+        """What is known of the orientations before the first action; None if nothing is."""
+
+    @property
+    def preimages(self) -> tuple[Preimage, ...]:
+        """The preimages of 1, 2, ..., k steps."""
 
     @property
     def steps(self) -> int:
@@ -55,14 +69,29 @@ class CertifiablePlan(Protocol):
 
 
 def certificate(plan: CertifiablePlan) -> Json:
-    """Return the certificate of a squeeze plan.
+    """Return the certificate of a plan of squeezes or push-grasps.
 
-    Runs phase I on to a whole period, since the cost of every plan length is compared.
+    Runs phase I on to a whole period, since the cost of every plan length is compared. That of a
+    push-grasp plan states the centre of mass, be it given or the centroid, as part of what is
+    given: the checker takes it as it is.
+
+    Parameters
+    ----------
+    plan : FeedingPlan
+        For a part that arrives in any orientation, all equally likely. What is certified is the
+        plan for an exact gripper and for any final orientation.
+
+    Returns
+    -------
+    dict
+        Plain JSON values, the schema ``stochgeom/certificate/1``.
 
     Raises
     ------
     InputError
-        If the plan has no part, or another action than squeezing.
+        If the plan has no part or another action, if its transfer function is not what this action
+        does to the part, or if its mouths are not the widest: because of a prior, a goal or an
+        error of the gripper.
 
     Examples
     --------
@@ -71,22 +100,24 @@ def certificate(plan: CertifiablePlan) -> Json:
     >>> document["optimal_steps"], [cost["comparison"] for cost in document["costs"]]
     (2, [1, 0])
     """
-    if plan.part is None or plan.action_name != "squeeze":
-        raise InputError("certificates need a part and the action squeeze")
-    diameter, transfer = DiameterFunction(plan.part), plan.transfer
+    part, action, transfer = plan.part, plan.action_name, plan.transfer
+    if part is None or action not in CERTIFIED_ACTIONS:
+        raise InputError(
+            f"certificates need a part and the action {' or '.join(CERTIFIED_ACTIONS)}"
+        )
     chain = list(Preimages(transfer))
+    if plan.prior is not None or _steps(plan.preimages) != _steps(chain[: plan.steps]):
+        raise InputError(
+            "this plan is for a prior, a goal or an inexact gripper; accepted: plans for a uniform "
+            "prior, any final orientation and an exact gripper"
+        )
     optimal, costs = _costs(chain, plan)
     return {
         "schema": SCHEMA,
-        "action": plan.action_name,
-        "part": {
-            "name": plan.part.name,
-            "vertices": [[rational_text(x), rational_text(y)] for x, y in plan.part.vertices],
-        },
-        "hull": _hull_numbers(plan.part),
-        "period": _angle(transfer.period),
-        "breaks": _breaks(diameter, len(transfer), plan.part),
-        "values": _values(diameter, transfer, plan.part),
+        "action": action,
+        "part": part_claims(part, action),
+        "hull": hull_numbers(part),
+        **transfer_claims(part, transfer, action),
         "preimages": [
             _preimage(preimage, before, transfer)
             for before, preimage in zip([None, *chain], chain, strict=False)
@@ -98,63 +129,9 @@ def certificate(plan: CertifiablePlan) -> Json:
     }
 
 
-def _angle(angle: Angle) -> Json:
-    x, y = angle.direction
-    return {"turns": int(angle.turn_part), "direction": [rational_text(x), rational_text(y)]}
-
-
-def _first_numbers(part: Part) -> list[int]:
-    """Return for each hull vertex the first vertex of the outline at its point."""
-    first: dict[object, int] = {}
-    for k, vertex in enumerate(part.vertices):
-        first.setdefault(vertex, k)
-    return [first[part.vertices[int(k)]] for k in part.hull.indices]
-
-
-def _hull_numbers(part: Part) -> list[int]:
-    numbers = _first_numbers(part)
-    start = numbers.index(min(numbers))
-    return numbers[start:] + numbers[:start]
-
-
-def _breaks(diameter: DiameterFunction, count: int, part: Part) -> list[Json]:
-    """Return the maxima of one period with the antipodal vertices that touch the jaws."""
-    numbers, calipers, maxima = _first_numbers(part), diameter.calipers, diameter.unstable
-    rows = []
-    for k, piece in enumerate(maxima.places[:count].tolist()):
-        angle = maxima.angles[k]
-        jaws = [numbers[calipers.lower[piece]]], [numbers[calipers.upper[piece]]]
-        # A maximum of the last piece beyond 180 degrees is listed half a turn before.
-        lower, upper = jaws if angle > diameter.transitions[piece] else jaws[::-1]
-        rows.append({"angle": _angle(angle), "lower": lower, "upper": upper})
-    return rows
-
-
-def _values(diameter: DiameterFunction, transfer: StepFunction, part: Part) -> list[Json]:
-    """Return the minima that follow the breaks of one period, with the flush edge."""
-    stable = diameter.stable
-    # Minima and maxima alternate; the first break may be followed by the second minimum.
-    shift = int(stable.angles[0] < transfer.breaks[0])
-    rows = []
-    for k, angle in enumerate(transfer.values):
-        lap, place = divmod(k + shift, len(stable.angles))
-        lower, upper = _jaws(diameter, int(stable.places[place]), part)
-        if lap:  # half a turn on, the jaws are exchanged, and left and right as well
-            lower, upper = upper[::-1], lower[::-1]
-        rows.append({"angle": _angle(angle), "lower": lower, "upper": upper})
-    return rows
-
-
-def _jaws(diameter: DiameterFunction, place: int, part: Part) -> tuple[list[int], list[int]]:
-    """Return the vertices on both jaws at a transition, from left to right."""
-    numbers, calipers = _first_numbers(part), diameter.calipers
-    # An edge on the lower jaw is touched at its right end before and at its left end after.
-    lower = [numbers[calipers.lower[place]], numbers[calipers.lower_before[place]]]
-    upper = [numbers[calipers.upper_before[place]], numbers[calipers.upper[place]]]
-    return (
-        lower if calipers.lower_edge[place] != NO_EDGE else lower[:1],
-        upper if calipers.upper_edge[place] != NO_EDGE else upper[:1],
-    )
+def _steps(chain: Sequence[Preimage]) -> list[tuple[int, int]]:
+    """Return what tells chains of preimages apart."""
+    return [(preimage.first, preimage.last) for preimage in chain]
 
 
 def _preimage(preimage: Preimage, before: Preimage | None, transfer: StepFunction) -> Json:
@@ -164,10 +141,10 @@ def _preimage(preimage: Preimage, before: Preimage | None, transfer: StepFunctio
         "steps": preimage.steps,
         "first": first,
         "last": last,
-        "start": _angle(preimage.arc.start),
-        "width": _angle(preimage.width),
-        "image_start": _angle(preimage.image.start),
-        "image_width": _angle(preimage.image_width),
+        "start": angle_claim(preimage.arc.start),
+        "width": angle_claim(preimage.width),
+        "image_start": angle_claim(preimage.image.start),
+        "image_width": angle_claim(preimage.image_width),
         "rival": rival,
     }
 
@@ -181,7 +158,7 @@ def _rival(limit: Angle | None, winner: int, transfer: StepFunction) -> Json | N
     last = np.arange(len(transfer)) if limit is None else values.last_below(limit)
     widest = starts[breaks.widest(starts, last[starts] + 1)]
     best = min(widest.tolist(), key=lambda k: (values[int(last[k])] - values[k], k))
-    return {"first": best, "width": _angle(breaks[int(last[best]) + 1] - breaks[best])}
+    return {"first": best, "width": angle_claim(breaks[int(last[best]) + 1] - breaks[best])}
 
 
 def _costs(chain: list[Preimage], plan: CertifiablePlan) -> tuple[int, list[Json]]:
@@ -204,16 +181,16 @@ def _costs(chain: list[Preimage], plan: CertifiablePlan) -> tuple[int, list[Json
 def _plan(plan: CertifiablePlan, optimal: int, longest: int) -> Json:
     return {
         "steps": plan.steps,
-        "mouth": {"start": _angle(plan.mouth.start), "width": _angle(plan.mouth.width)},
+        "mouth": {"start": angle_claim(plan.mouth.start), "width": angle_claim(plan.mouth.width)},
         "actions": [
             {
-                "angle": _angle(action.angle),
-                "low": None if action.low is None else _angle(action.low),
-                "high": None if action.high is None else _angle(action.high),
+                "angle": angle_claim(action.angle),
+                "low": None if action.low is None else angle_claim(action.low),
+                "high": None if action.high is None else angle_claim(action.high),
             }
             for action in plan.actions
         ],
-        "final_orientation": _angle(plan.final_orientation),
+        "final_orientation": angle_claim(plan.final_orientation),
         "optimal": plan.steps == optimal,
         "orients_up_to_symmetry": plan.steps == longest,
     }

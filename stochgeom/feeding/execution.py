@@ -44,12 +44,26 @@ def composite(transfer: StepFunction, angles: Sequence[Angle]) -> StepFunction:
     return whole
 
 
-def check_plan(transfer: StepFunction, mouth: Arc, ranges: Sequence[Range]) -> None:
+def check_plan(
+    transfer: StepFunction, mouth: Arc, ranges: Sequence[Range], *, widest: bool = True
+) -> None:
     """Run a plan at its nominal angles and at the ends of every range.
 
     At the lower end of a range the plan must fail, with the actions before it just above their
     own lower ends: only then does the last image reach as far as the preimage allows. (With
     other angles before it, the image may be narrower and the plan survive.)
+
+    Parameters
+    ----------
+    transfer : StepFunction
+        Of each action.
+    mouth : Arc
+        What the plan collapses.
+    ranges : sequence of (low, nominal, high)
+        One for each action.
+    widest : bool, default True
+        Whether no actions collapse a wider arc at any stage. Otherwise the actions after one at
+        its lower end may make up for it, and nothing is said about that.
 
     Raises
     ------
@@ -69,7 +83,7 @@ def check_plan(transfer: StepFunction, mouth: Arc, ranges: Sequence[Range]) -> N
         if _collapse(transfer, angles, mouth, what) != goal:
             raise VerificationError(f"{what} the plan ends in another orientation")
     for k, (bottom, _, _) in enumerate(ranges):
-        if bottom is None:
+        if bottom is None or not widest:
             continue
         last = run_arc(transfer, [*low[:k], bottom, *nominal[k + 1 :]], mouth)[-1]
         if not last.width and last.start.reduced() == goal:

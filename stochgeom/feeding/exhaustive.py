@@ -12,6 +12,10 @@ neighbours. The probability of the most likely state is thus the difference of t
 m (m - 1) + 1 arcs between breaks are sorted once, by exact comparison, and from then on a
 hyperstate is worth the rank of its widest arc: a small integer, and equal for equal widths.
 
+Under a prior the first action puts a collapsed arc where it catches most. A wider arc has a place
+where it catches no less, so the order of the widths is an order of the probabilities as well, and
+the search stays the same but for the costs.
+
 This module finds nothing by preimages. `first_disagreement` compares it with phase I.
 """
 
@@ -21,11 +25,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
 from operator import itemgetter
-from typing import Final, TypeAlias, final
+from typing import TYPE_CHECKING, Final, TypeAlias, final
 
 from gmpy2 import mpq
 
-from stochgeom.decision.costs import as_cost_ratio, length_bound
+from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost, length_bound
 from stochgeom.decision.search import Level, SearchResult, breadth_first
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
@@ -35,6 +39,10 @@ from stochgeom.feeding.action_classes import ActionClass, ActionClasses
 from stochgeom.feeding.automaton import Map
 from stochgeom.feeding.preimages import Preimages
 from stochgeom.transfer.step_function import StepFunction
+
+if TYPE_CHECKING:
+    from stochgeom.decision.priors import Prior
+    from stochgeom.exact.sums import Probability
 
 NODE_LIMIT: Final = 1000
 """How many nodes the source's own search generates before it gives up."""
@@ -75,9 +83,14 @@ class ExhaustiveSearch:
     """
 
     def __init__(
-        self, transfer: StepFunction, classes: ActionClasses, ranks: ArcRanks, found: _Found
+        self,
+        transfer: StepFunction,
+        classes: ActionClasses,
+        ranks: ArcRanks,
+        found: _Found,
+        prior: Prior | None = None,
     ) -> None:
-        self.transfer, self.classes = transfer, classes
+        self.transfer, self.classes, self.prior = transfer, classes, prior
         self._ranks, self._found = ranks, found
 
     @property
@@ -131,15 +144,13 @@ class ExhaustiveSearch:
         """Whether a plan was found that orients the part up to symmetry."""
         return self._found.last.worth == self._ranks.top
 
-    def probability(self, steps: int) -> TurnRatio:
+    def probability(self, steps: int) -> Probability:
         """Return the probability of the most likely state after the best plan of a length."""
-        return TurnRatio(mpq(1), self.of_steps(steps).width)
+        return _caught(self.of_steps(steps).width, self.prior)
 
-    def expected_cost(self, steps: int, cost_ratio: RationalLike = 1) -> TurnRatio:
+    def expected_cost(self, steps: int, cost_ratio: RationalLike = 1) -> Number:
         """Return (i + c) / p for the best plan of i steps (Eq. 4.5)."""
-        return TurnRatio(
-            steps + as_cost_ratio(cost_ratio), self.of_steps(steps).width, inverse=True
-        )
+        return expected_cost(steps + as_cost_ratio(cost_ratio), self.probability(steps))
 
     def optimal_steps(self, cost_ratio: RationalLike = 1) -> int:
         """Return the number of steps of least expected cost, the smallest of equal ones (Eq. 4.7).
@@ -174,6 +185,7 @@ def search_plans(
     count_duplicates: bool = True,
     longest: int | None = None,
     keep_ties: bool = False,
+    prior: Prior | None = None,
 ) -> ExhaustiveSearch:
     """Search the plans of 1, 2, ... steps until none can be better.
 
@@ -195,6 +207,8 @@ def search_plans(
         Most steps of a plan.
     keep_ties : bool, default False
         Keep all best plans, not just one.
+    prior : Prior, optional
+        Of the orientations before the first action; default: uniform.
 
     Raises
     ------
@@ -216,7 +230,9 @@ def search_plans(
     c = None if cost_ratio is None else as_cost_ratio(cost_ratio)
     bounds = [] if longest is None else [longest]
     if c is not None:
-        bounds.append(length_bound(len(transfer), c))
+        # Under a prior, the argument for the bound holds with full turns for periods.
+        states = len(transfer) if prior is None else len(transfer) * transfer.order
+        bounds.append(length_bound(states, c))
     found = breadth_first(
         tuple(range(len(transfer))),
         tuple(classes.merged),
@@ -227,9 +243,9 @@ def search_plans(
         depth=min(bounds) - 1 if bounds else None,
         keep_ties=keep_ties,
         highest=ranks.top,
-        enough=None if c is None else _StopRule(ranks, transfer.period, c),
+        enough=None if c is None else _StopRule(ranks, transfer.period, c, prior),
     )
-    return ExhaustiveSearch(transfer, classes, ranks, found)
+    return ExhaustiveSearch(transfer, classes, ranks, found, prior)
 
 
 def first_disagreement(search: ExhaustiveSearch, chain: Preimages) -> int | None:
@@ -308,9 +324,12 @@ class ArcRanks:
 class _StopRule:
     """Ends a search where no longer plan is cheaper than the best one found."""
 
-    def __init__(self, ranks: ArcRanks, period: Angle, cost_ratio: mpq) -> None:
+    def __init__(
+        self, ranks: ArcRanks, period: Angle, cost_ratio: mpq, prior: Prior | None
+    ) -> None:
         self._ranks, self._period, self._cost_ratio = ranks, period, cost_ratio
-        self._best: TurnRatio | None = None
+        self._prior = prior
+        self._best: Number | None = None
 
     def __call__(self, level: Level[Map, int]) -> bool:
         steps = level.length + 1
@@ -318,7 +337,12 @@ class _StopRule:
         if self._best is None or cost < self._best:
             self._best = cost
         # One step more costs at least this much, even if it collapses a whole period.
-        return self._cost(steps + 1, self._period) >= self._best
+        return not self._cost(steps + 1, self._period) < self._best
 
-    def _cost(self, steps: int, width: Angle) -> TurnRatio:
-        return TurnRatio(steps + self._cost_ratio, width, inverse=True)
+    def _cost(self, steps: int, width: Angle) -> Number:
+        return expected_cost(steps + self._cost_ratio, _caught(width, self._prior))
+
+
+def _caught(width: Angle, prior: Prior | None) -> Probability:
+    """Return the probability of the best place of an arc."""
+    return TurnRatio(mpq(1), width) if prior is None else prior.best_window(width).mass

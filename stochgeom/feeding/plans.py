@@ -7,9 +7,10 @@ with a <= u - alpha and v - alpha < a + h: for low < alpha <= high, with
     low = v - (a + h),    high = u - a.
 
 The ranges are independent: any choice of angles inside them works, because each range is computed
-for the whole image of the preimage before it. None can be widened: at `low`, the plan fails
-whenever the actions before stand close enough above their own lower ends. (At other angles the
-image may have become narrower than the preimage allows, and the plan may survive.)
+for the whole image of the preimage before it. None can be widened if the preimages are the widest:
+at `low`, the plan fails whenever the actions before stand close enough above their own lower ends.
+(At other angles the image may have become narrower than the preimage allows, and the plan may
+survive. Preimages made for a gripper error may be narrower than what later actions would collapse.)
 
 The source's Eq. 5.3 takes angles between left ends of preimages, turned by half a difference of
 widths; that does not fit its own Eq. 4.2, see the errata. The first action of a plan under a
@@ -18,26 +19,30 @@ uniform prior is a random turn; its value is 0 and it has no range.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, final
 
 from gmpy2 import mpq
 
+from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
-from stochgeom.errors import InputError
+from stochgeom.errors import InputError, NoPlanError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
-from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.certificates import certificate
 from stochgeom.feeding.execution import check_plan, run_angle, run_arc
-from stochgeom.feeding.preimages import Preimage
+from stochgeom.feeding.gripper_error import ErrorBound, least_slack
+from stochgeom.feeding.placement import Placement, place
+from stochgeom.feeding.preimages import Preimage, Preimages
 from stochgeom.feeding.propagation import Outcome, outcomes
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
+    from stochgeom.decision.priors import Prior
+    from stochgeom.exact.sums import Probability
     from stochgeom.geometry.part import Part
 
 
@@ -59,6 +64,10 @@ class FeedingPlan:
         What the plan is for.
     action_name : str
         The kind of action, such as ``"squeeze"``.
+    prior : Prior, optional
+        Of the orientations before the first action; default: uniform.
+    gripper_error : Angle
+        delta: the nominal angles leave at least so much room in their ranges, either way.
 
     Examples
     --------
@@ -77,12 +86,17 @@ class FeedingPlan:
         cost_ratio: mpq,
         part: Part | None = None,
         action_name: str = "squeeze",
+        *,
+        prior: Prior | None = None,
+        gripper_error: Angle = ZERO,
     ) -> None:
         self.transfer = transfer
         self.preimages = tuple(chain)
         self.cost_ratio = cost_ratio
         self.part = part
         self.action_name = action_name
+        self.prior = prior
+        self.gripper_error = gripper_error
 
     # --- what it does ----------------------------------------------------------------------------
 
@@ -91,10 +105,31 @@ class FeedingPlan:
         """k, the number of actions."""
         return len(self.preimages)
 
+    @cached_property
+    def placement(self) -> Placement:
+        """The mouth in place, and the probability of what it catches.
+
+        Raises
+        ------
+        NoPlanError
+            If the gripper error leaves nothing that is caught for sure.
+        """
+        last = self.preimages[-1]
+        placement = place(last, self.prior, self.gripper_error)
+        if placement is None:
+            raise NoPlanError(
+                f"the widest arc of {self.steps} steps is {last.width} wide, and the first action "
+                f"may miss it by {self.gripper_error}; accepted: less than half of that width"
+            )
+        return placement
+
     @property
     def mouth(self) -> Arc:
-        """The orientations before the first action that the plan collapses into one."""
-        return self.preimages[-1].arc
+        """The orientations before the first action that the plan collapses into one.
+
+        Under a uniform prior they start in [0, T); under another one where they catch most.
+        """
+        return self.placement.mouth
 
     @property
     def final_orientation(self) -> Angle:
@@ -105,11 +140,12 @@ class FeedingPlan:
     def actions(self) -> tuple[Action, ...]:
         """The k actions with their exact ranges, in order of execution."""
         breaks, values = self.transfer.lifted_breaks, self.transfer.lifted_values
-        actions = [Action(None, None)]
+        margin = self.gripper_error
+        actions = [Action(None, None, free_angle=self.placement.first_angle)]
         for here, goal in pairwise(self.preimages[::-1]):
             low = values[here.last] - breaks[goal.last + 1]
             high = values[here.first] - breaks[goal.first]
-            actions.append(Action(low, high))
+            actions.append(Action(low, high, margin))
         return tuple(actions)
 
     @property
@@ -129,33 +165,58 @@ class FeedingPlan:
     @property
     def orients_up_to_symmetry(self) -> bool:
         """Whether the final orientations are exactly 2 pi / T equally spaced ones (Def. 4.3)."""
-        return self.mouth.width == self.transfer.period
+        return self.preimages[-1].is_period
+
+    @property
+    def error_bound(self) -> ErrorBound | None:
+        """The gripper errors that the ranges have room for; None if there are no ranges.
+
+        That is with the middles of the ranges as angles; `margin` tells of the nominal ones.
+        """
+        slack = least_slack(self.preimages)
+        return None if slack is None else ErrorBound(slack)
+
+    @property
+    def margin(self) -> Angle | None:
+        """The least distance of a nominal angle from an end of its range; None without ranges.
+
+        Every error below it is borne, and itself as well unless it is a distance from a lower end.
+        """
+        distances = [
+            distance
+            for action in self.actions
+            if action.low is not None and action.high is not None
+            for distance in (action.angle - action.low, action.high - action.angle)
+        ]
+        return min(distances, default=None)
 
     # --- what it is worth ------------------------------------------------------------------------
 
     @property
-    def probability(self) -> TurnRatio:
-        """Probability h / (2 pi) of *one* of the 2 pi / T equivalent final orientations."""
-        return TurnRatio(mpq(1), self.mouth.width)
+    def probability(self) -> Probability:
+        """Probability h / (2 pi) of *one* of the 2 pi / T equivalent final orientations.
+
+        Under another prior than the uniform one: the mass of the mouth.
+        """
+        return self.placement.probability
 
     @property
-    def probability_up_to_symmetry(self) -> TurnRatio:
+    def probability_up_to_symmetry(self) -> Probability:
         """Probability h / T of any of the equivalent final orientations."""
-        return TurnRatio(mpq(self.transfer.order), self.mouth.width)
+        return self.placement.probability_up_to_symmetry
 
     @property
-    def expected_cost(self) -> TurnRatio:
+    def expected_cost(self) -> Number:
         """(k + c) 2 pi / h in units of one action, until one given orientation is accepted.
 
-        Thesis Eq. 4.5 with a uniform prior.
+        Thesis Eq. 4.5: (k + c) over the probability.
         """
-        return TurnRatio(self.steps + self.cost_ratio, self.mouth.width, inverse=True)
+        return expected_cost(self.steps + self.cost_ratio, self.probability)
 
     @property
-    def expected_cost_up_to_symmetry(self) -> TurnRatio:
+    def expected_cost_up_to_symmetry(self) -> Number:
         """(k + c) T / h: the cost when any of the equivalent orientations is accepted."""
-        per_round = (self.steps + self.cost_ratio) / self.transfer.order
-        return TurnRatio(per_round, self.mouth.width, inverse=True)
+        return expected_cost(self.steps + self.cost_ratio, self.probability_up_to_symmetry)
 
     # --- running it ------------------------------------------------------------------------------
 
@@ -186,29 +247,56 @@ class FeedingPlan:
         count = self.steps if step is None else step
         if not 1 <= count <= self.steps:
             raise InputError(f"step {step}; accepted: 1 to {self.steps}")
-        *_, last = outcomes(self.transfer, self.angles[:count])
+        *_, last = self._outcomes(self.angles[:count])
         return last.hyperstate()
 
     def outcomes(self) -> Iterator[Outcome]:
         """Yield the hyperstate after each action, in compact form."""
-        return outcomes(self.transfer, self.angles)
+        return self._outcomes(self.angles)
+
+    def _outcomes(self, angles: Sequence[Angle]) -> Iterator[Outcome]:
+        return outcomes(self.transfer, angles, self.prior)
 
     def verify(self) -> bool:
         """Run the plan forward and return True, or raise what fails.
 
         The mouth is collapsed at the nominal angles, at the upper ends of all ranges and just
-        above their lower ends; each action at its lower end lets the plan fail.
+        above their lower ends, whatever the gripper error of a first action that is no random
+        turn; each action at its lower end lets the plan fail, if the preimages are the widest
+        (which those made for a gripper error need not be).
 
         Raises
         ------
         VerificationError
             Naming the first claim that does not hold.
         """
-        check_plan(self.transfer, self.mouth, [(a.low, a.angle, a.high) for a in self.actions])
+        free, *others = ((a.low, a.angle, a.high) for a in self.actions)
+        # A random turn has no error, and a mouth of a full turn is not narrowed for one.
+        narrowed = self.mouth.width != self.preimages[-1].width
+        delta = self.gripper_error if narrowed else ZERO
+        for error in (-delta, delta) if delta else (ZERO,):
+            first = (free[0], free[1] + error, free[2])
+            ranges = [first, *others]
+            check_plan(self.transfer, self.mouth, ranges, widest=self._is_widest())
         return True
 
+    def _is_widest(self) -> bool:
+        """Tell whether no plan that ends alike collapses a wider arc, at any stage."""
+        final_step = self.preimages[0].first % len(self.transfer)
+        widest = Preimages(self.transfer, final_steps=(final_step,))
+        return self.mouth.width == self.preimages[-1].width and all(
+            widest.of_steps(preimage.steps).width == preimage.width for preimage in self.preimages
+        )
+
     def certificate(self) -> dict[str, Any]:
-        """Return the plan with its proof, a ``stochgeom/certificate/1`` document."""
+        """Return the plan with its proof, a ``stochgeom/certificate/1`` document.
+
+        Raises
+        ------
+        InputError
+            If the action is neither a squeeze nor a push-grasp of a part, or the plan is not for a
+            uniform prior, any final orientation and an exact gripper.
+        """
         return certificate(self)
 
     def __repr__(self) -> str:

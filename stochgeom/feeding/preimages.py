@@ -13,17 +13,29 @@ one of narrowest image wins (the largest tolerance), then the one of smallest st
 
 The source tests h_i = T from the second stage on; it holds at the first for squares, right and
 obtuse triangles, so it is tested from the first stage.
+
+Two things may be asked beyond that:
+
+- *Gripper error*: every action may be off by up to delta either way. An image of width w then
+  needs w + 2 delta < h_{i-1} to be turned into Theta_{i-1} for sure: the limit is h_{i-1} - 2
+  delta. The widths no longer need to grow; the chain ends where they stop growing, since the next
+  limit would be the same.
+- *Final orientations*: only some steps may be the last one. Theta_1 is the widest of those. The
+  chain still reaches a period without gripper error: from the second stage on, every single step
+  has an image narrow enough (of width zero), so h_2 is at least the widest step.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import final
 
+import numpy as np
+
 from stochgeom.errors import InputError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.lifted import Gap, Indices
 from stochgeom.transfer.step_function import StepFunction
@@ -100,7 +112,16 @@ class Preimages:
     """The preimages of a transfer function, computed as they are asked for.
 
     Iterating gives `Preimage` objects for 1, 2, ... steps and ends with the first whose width is
-    the period. What was computed is kept.
+    the period, or with the last that is wider than the one before. What was computed is kept.
+
+    Parameters
+    ----------
+    transfer : StepFunction
+        The transfer function of one action.
+    spread : Angle
+        2 delta >= 0, where every action but the first may be off by up to delta either way.
+    final_steps : sequence of int, optional
+        Numbers in [0, m) of the steps that the last action may end with; default: all.
 
     Examples
     --------
@@ -110,27 +131,41 @@ class Preimages:
     ['112.62', '180.00']
     """
 
-    def __init__(self, transfer: StepFunction) -> None:
+    def __init__(
+        self,
+        transfer: StepFunction,
+        spread: Angle = ZERO,
+        final_steps: Sequence[int] | None = None,
+    ) -> None:
         self.transfer = transfer
+        self.spread = spread
+        self.final_steps = None if final_steps is None else tuple(final_steps)
         self._found: list[Preimage] = []
+        self._stalled = False
 
     @property
     def complete(self) -> bool:
         """Whether the last preimage found is a period wide."""
         return bool(self._found) and self._found[-1].is_period
 
+    @property
+    def stalled(self) -> bool:
+        """Whether more actions were tried and do not collapse a wider arc."""
+        return self._stalled
+
     def __iter__(self) -> Iterator[Preimage]:
         steps = 1
         while True:
-            yield self.of_steps(steps)
-            if self.complete and steps >= len(self._found):
+            preimage = self.of_steps(steps)
+            if preimage.steps < steps:
                 return
+            yield preimage
             steps += 1
 
     def of_steps(self, steps: int) -> Preimage:
         """Return the preimage of the given number of steps.
 
-        Beyond the step where a period is reached, the last preimage: more steps do no better.
+        Beyond the step where the chain ends, the last preimage: more steps do no better.
 
         Raises
         ------
@@ -139,30 +174,55 @@ class Preimages:
         """
         if steps < 1:
             raise InputError(f"a preimage of {steps} steps; accepted: 1 or more")
-        while len(self._found) < steps and not self.complete:
-            self._found.append(self._next())
+        while len(self._found) < steps and not (self._stalled or self.complete):
+            self._extend()
         return self._found[min(steps, len(self._found)) - 1]
 
     def found(self) -> tuple[Preimage, ...]:
         """Return the preimages computed so far."""
         return tuple(self._found)
 
-    def _next(self) -> Preimage:
-        transfer = self.transfer
+    def _extend(self) -> None:
+        """Find the next preimage, or that there is no wider one."""
+        if not self._found:
+            self._found.append(self._first())
+            return
+        before = self._found[-1]
+        limit = self._limit(before)
+        following = None if limit is None else self._widest(limit)
+        # Without gripper error, widths grow by Theorem 5.3 (and see above, for final steps).
+        if following is None or (self.spread and following.width <= before.width):
+            self._stalled = True
+        else:
+            self._found.append(following)
+
+    def _limit(self, before: Preimage) -> Angle | Gap | None:
+        """Return what the next image has to be narrower than, None if nothing is."""
+        if not self.spread:
+            return before.gap
+        limit = before.width - self.spread
+        return limit if limit > ZERO else None
+
+    def _first(self) -> Preimage:
+        transfer, breaks = self.transfer, self.transfer.lifted_breaks
         if len(transfer) == 1:
             return Preimage(transfer, steps=1, first=0, last=0, ties=1)  # nothing to compare
-        last: Indices | range
-        if self._found:
-            last = transfer.lifted_values.last_below(self._found[-1].gap)
-            widest = transfer.lifted_breaks.largest_gaps(last)
+        if self.final_steps is None:
+            widest = breaks.largest_steps()
         else:
-            last = range(len(transfer))  # an arc of one step has an image of width zero
-            widest = transfer.lifted_breaks.largest_steps()
-        first = self._narrowest_image(widest, last)
-        steps = len(self._found) + 1
-        return Preimage(transfer, steps, first, int(last[first]), len(widest))
+            allowed = np.array(sorted(self.final_steps), dtype=np.intp)
+            widest = allowed[breaks.widest(allowed, allowed + 1)]
+        first = int(widest[0])  # images of one step are all of width zero
+        return Preimage(transfer, 1, first, first, len(widest))
 
-    def _narrowest_image(self, widest: Indices, last: Indices | range) -> int:
+    def _widest(self, limit: Angle | Gap) -> Preimage:
+        transfer = self.transfer
+        last = transfer.lifted_values.last_below(limit)
+        widest = transfer.lifted_breaks.largest_gaps(last)
+        first = self._narrowest_image(widest, last)
+        return Preimage(transfer, len(self._found) + 1, first, int(last[first]), len(widest))
+
+    def _narrowest_image(self, widest: Indices, last: Indices) -> int:
         """Return the first of the widest arcs whose image is narrowest."""
         if len(widest) == 1:
             return int(widest[0])

@@ -42,6 +42,7 @@ from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.ratios import TurnRatio
+from stochgeom.feeding.nearby_courses import PartErrorReport
 from stochgeom.feeding.preimages import Preimages
 from stochgeom.feeding.propagation import Outcome, outcomes
 from stochgeom.transfer.step_function import StepFunction
@@ -115,6 +116,8 @@ class PlanReport:
         The hyperstate after all actions, as step numbers; the first angle is taken as 0.
     preimages : Preimages
         Phase I for the same transfer function.
+    part_errors : PartErrorReport or None
+        What is proven for parts whose vertices are off, if that was asked.
     """
 
     transfer: StepFunction
@@ -122,6 +125,7 @@ class PlanReport:
     cost_ratio: mpq
     outcome: Outcome
     preimages: Preimages
+    part_errors: PartErrorReport | None = None
 
     @property
     def steps(self) -> int:

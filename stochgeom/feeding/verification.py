@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import islice, pairwise
 from typing import Final
 
@@ -14,8 +15,9 @@ from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import InputError, InvalidAngleError, NumberLimitError, VerificationError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
-from stochgeom.feeding.planner import FeedingProblem, PartLike
-from stochgeom.feeding.preimages import preimages
+from stochgeom.feeding.nearby_courses import NearbyCourses, PartErrorReport
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.feeding.problem import FeedingProblem, PartLike
 from stochgeom.feeding.propagation import outcomes
 from stochgeom.feeding.reports import PlanReport, within_a_turn
 from stochgeom.transfer.step_function import StepFunction
@@ -30,11 +32,12 @@ _ENTRY: Final = re.compile(r"(\([^()]*\)|[^\s,()]+)(\s*,\s*|\s+|\Z)")
 
 def verify_plan(
     part: PartLike | StepFunction,
-    angles: str | Iterable[Angle],
+    angles: str | Iterable[Angle] | FeedingPlan,
     cost_ratio: RationalLike = 1,
     *,
     cumulative: bool = False,
     action: str = "squeeze",
+    vertex_error: RationalLike | None = None,
 ) -> PlanReport:
     """Run a plan, whoever made it, and report what it does.
 
@@ -42,22 +45,30 @@ def verify_plan(
     ----------
     part : Part, its vertices, or StepFunction
         What is fed, or the transfer function of the action on it.
-    angles : str or iterable of Angle
-        One angle for each action, at most `MAX_ACTIONS`; text as `parse_angles` reads it.
+    angles : str, iterable of Angle, or FeedingPlan
+        One angle for each action, at most `MAX_ACTIONS`; text as `parse_angles` reads it. A plan
+        stands for its nominal angles and its kind of action.
     cost_ratio : rational >= 0, default 1
         c, the cost of the filter over the cost of one action.
     cumulative : bool, default False
         Whether the angles are poses of the gripper, as the source prints them; otherwise each is
         relative to the gripper's last pose.
     action : str, default "squeeze"
-        What the gripper does; not used with a transfer function.
+        What the gripper does; not used with a transfer function or a plan.
+    vertex_error : rational >= 0, optional
+        epsilon. The report's `part_errors` then says whether the plan is proven to work for every
+        part whose vertices lie within epsilon of the given ones, defined in
+        `stochgeom.feeding.part_errors`; for a plan its own mouth counts, and its gripper error.
 
     Raises
     ------
     InvalidAngleError
         If text is no angle; the message names the action, counted from 0.
     InputError
-        If there are no angles, too many, or other objects than angles.
+        If there are no angles, too many, or other objects than angles. If the vertex error is
+        negative, or comes with a transfer function.
+    NumberError
+        If the vertex error is not an exact number.
     CostError
         If the cost ratio is negative or not a rational number.
     InvalidPartError
@@ -71,19 +82,50 @@ def verify_plan(
     >>> second = report.margins[1]
     >>> second.low.degrees(2), second.high.degrees(2)
     ('-56.31', '-33.69')
+    >>> report = verify_plan([(0, 0), (3, 0), (3, 2), (0, 2)], "0, -45", vertex_error="1/10")
+    >>> report.part_errors.proven, report.part_errors.finals[0].width.degrees(1)
+    (True, '7.6')
     """
-    listed = parse_angles(angles) if isinstance(angles, str) else _angles_of(angles)
+    plan = angles if isinstance(angles, FeedingPlan) else None
+    if isinstance(angles, FeedingPlan):
+        listed, action = angles.angles, angles.action_name
+    else:
+        listed = parse_angles(angles) if isinstance(angles, str) else _angles_of(angles)
     if cumulative:
         listed = (listed[0], *(after - before for before, after in pairwise(listed)))
     c = as_cost_ratio(cost_ratio)
     if isinstance(part, StepFunction):
-        transfer, chain = part, preimages(part)
+        problem = FeedingProblem.of_transfer(part)
     else:
         problem = FeedingProblem(part, action)
-        transfer, chain = problem.transfer, problem.preimages
-    for outcome in outcomes(transfer, within_a_turn(listed)):
+    for outcome in outcomes(problem.transfer, within_a_turn(listed)):
         last = outcome
-    return PlanReport(transfer, listed, c, last, chain)
+    report = PlanReport(problem.transfer, listed, c, last, problem.preimages)
+    if vertex_error is None:
+        return report
+    return replace(report, part_errors=_part_errors(problem, report, plan, action, vertex_error))
+
+
+def _part_errors(
+    problem: FeedingProblem,
+    report: PlanReport,
+    plan: FeedingPlan | None,
+    action: str,
+    vertex_error: RationalLike,
+) -> PartErrorReport:
+    """Return what is proven of a plan, or of a list of angles, if vertices are off."""
+    if problem.part is None:
+        raise InputError(
+            "a transfer function has no vertices; accepted: a part", where="vertex error"
+        )
+    if plan is not None and plan.transfer == problem.transfer:
+        courses = NearbyCourses.of_plan(plan, problem.part)
+    else:
+        mouth, end = report.mouth, report.final_orientation
+        courses = NearbyCourses(
+            problem.part, problem.transfer, report.angles, mouth, end, action=action
+        )
+    return courses.report(vertex_error)
 
 
 def _angles_of(angles: Iterable[Angle]) -> tuple[Angle, ...]:

@@ -72,14 +72,15 @@ class Sinusoid:
 @final
 @dataclass(frozen=True, slots=True, eq=False)
 class Extrema:
-    """Strict local extrema in [0, 180) degrees, and what makes them so.
+    """Strict local extrema in one period, and what makes them so.
 
     Attributes
     ----------
     angles : AngleVector
-        The orientations, increasing.
+        The orientations, increasing: in [0, 180) degrees for the diameter, [0, 360) for the radius.
     places : int array
-        For a minimum its transition, for a maximum its piece (which may end beyond 180 degrees).
+        Of a diameter: for a minimum its transition, for a maximum its piece (which may end beyond
+        180 degrees). Of a radius: the hull edge that lies flush, the hull vertex that touches.
     """
 
     angles: AngleVector

@@ -15,11 +15,15 @@ from stochgeom.errors import (
     TooFewVerticesError,
 )
 from stochgeom.exact.predicates import HomogeneousPoint, Turn, orientation
+from stochgeom.geometry.moments import ring_sums
 from stochgeom.geometry.points import Point, Points
 from stochgeom.geometry.segments import ConflictKind, contains
 from stochgeom.geometry.simplicity import Conflict, find_conflict
 
 Indices = NDArray[np.intp]
+
+_LONG = 128
+"""Outlines of at least so many vertices are summed on arrays."""
 
 _WORDS = {
     ConflictKind.CROSSING: "cross",
@@ -140,8 +144,10 @@ def mass_of(outline: Points, holes: tuple[Points, ...]) -> Mass:
 def _moments(points: Points) -> tuple[mpq, mpq, mpq]:
     """Return area and first moments of one simple ring, with positive area."""
     if points.w is None:
-        xs, ys = ([mpz(v) for v in values.tolist()] for values in (points.x, points.y))
         scale = points.scale
+        if points.x.dtype != object and len(points) >= _LONG:
+            return _scaled(*ring_sums(points.x, points.y), scale)
+        xs, ys = ([mpz(v) for v in values.tolist()] for values in (points.x, points.y))
     else:
         pairs = points.pairs()
         xs, ys = [x for x, _ in pairs], [y for _, y in pairs]
@@ -153,6 +159,11 @@ def _moments(points: Points) -> tuple[mpq, mpq, mpq]:
         twice += cross
         mx += cross * (ax + bx)
         my += cross * (ay + by)
+    return _scaled(twice, mx, my, scale)
+
+
+def _scaled(twice: mpq, mx: mpq, my: mpq, scale: mpz) -> tuple[mpq, mpq, mpq]:
+    """Return area and first moments from the sums over an outline in units of 1 / scale."""
     sign = -1 if twice < 0 else 1
     cube = 6 * scale**3
     return sign * mpq(twice) / (2 * scale**2), sign * mpq(mx) / cube, sign * mpq(my) / cube

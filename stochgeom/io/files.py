@@ -1,12 +1,62 @@
-"""Writing files whole or not at all."""
+"""Reading text files with limits; writing files whole or not at all."""
 
 from __future__ import annotations
 
 import os
 import tempfile
 from pathlib import Path
+from typing import Final
 
-from stochgeom.errors import WriteError
+from stochgeom.errors import FormatError, ReadError, WriteError
+from stochgeom.io.rings import showable
+
+MAX_BYTES: Final = 64 * 2**20
+"""Largest file that is read, in bytes of UTF-8."""
+
+
+def read_bytes(path: str | os.PathLike[str]) -> bytes:
+    """Return the content of a file.
+
+    Raises
+    ------
+    ReadError
+        If it is missing, unreadable or larger than `MAX_BYTES`.
+    """
+    source = Path(os.fsdecode(path))
+    place = showable(str(source))
+    try:
+        with source.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: a null character in the path
+        reason = getattr(error, "strerror", None) or error
+        raise ReadError(
+            f"cannot be read: {reason}; accepted: a readable text file", where=place
+        ) from error
+    if len(content) > MAX_BYTES:
+        raise ReadError(f"larger than accepted: at most {MAX_BYTES} bytes", where=place)
+    return content
+
+
+def decode_text(content: bytes) -> str:
+    """Return the text of a file's bytes.
+
+    Raises
+    ------
+    FormatError
+        If the bytes are not UTF-8; the place is the offset of the first byte that is not.
+
+    Examples
+    --------
+    >>> decode_text(b"0 0")
+    '0 0'
+    """
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise FormatError(
+            f"byte 0x{content[error.start]:02x} is not UTF-8; accepted: UTF-8 text",
+            where=f"byte {error.start}",
+        ) from None
 
 
 def write_whole(path: str, text: str) -> None:

@@ -14,11 +14,11 @@ a known one: a centre of mass must not get lost over a letter.
 from __future__ import annotations
 
 import difflib
-import json
 from typing import Any, Final, NoReturn, TypeAlias
 
 from stochgeom.errors import FormatError, NumberError
 from stochgeom.exact import scalars
+from stochgeom.io.exact_json import NumberText, kind_of, load_json
 from stochgeom.io.rings import (
     Outline,
     Point,
@@ -47,12 +47,6 @@ _LIKENESS: Final = 0.7
 _Object: TypeAlias = dict[str, Any]
 
 
-class _NumberText(str):
-    """The text of a JSON number, told apart from a JSON string."""
-
-    __slots__ = ()
-
-
 def parse_json(text: str) -> Outline:
     """Read an outline from JSON.
 
@@ -72,44 +66,12 @@ def parse_json(text: str) -> Outline:
     >>> parse_json('{"vertices": [[0, 0], [1, 0], [0, 1]], "name": "wedge"}').name
     'wedge'
     """
-    document = _load(text)
+    document = load_json(text, ACCEPTED)
     if isinstance(document, list):
         return Outline(_ring(document, "", "vertices"))
     if isinstance(document, dict):
         return _from_object(document)
-    raise FormatError(f"{_kind(document)} is not an outline; {ACCEPTED}")
-
-
-def _load(text: str) -> Any:
-    try:
-        return json.loads(
-            text,
-            parse_int=_NumberText,
-            parse_float=_NumberText,
-            parse_constant=_NumberText,  # refused later, where the place is known
-            object_pairs_hook=_without_repeats,
-        )
-    except json.JSONDecodeError as error:
-        # Only the reason is told here: its place goes into `where`.
-        end = " (the text ends here)" if error.pos >= len(text.rstrip()) else ""
-        raise FormatError(
-            f"broken JSON: {error.msg}{end}; {ACCEPTED}",
-            where=f"line {error.lineno}, column {error.colno}",
-        ) from None
-    except RecursionError:
-        raise FormatError(f"JSON nested too deeply; {ACCEPTED}") from None
-
-
-def _without_repeats(pairs: list[tuple[str, Any]]) -> _Object:
-    result: _Object = {}
-    for key, value in pairs:
-        if key in result:
-            raise FormatError(
-                "this key stands twice in one object; accepted: each key once",
-                where=f"key {shown(key)}",
-            )
-        result[key] = value
-    return result
+    raise FormatError(f"{kind_of(document)} is not an outline; {ACCEPTED}")
 
 
 def _from_object(document: _Object) -> Outline:
@@ -126,13 +88,13 @@ def _from_plan(document: _Object) -> Outline:
     schema = document.get("schema", SCHEMAS[0])
     if schema not in SCHEMAS:
         raise FormatError(
-            f"{_kind(schema)} is not a schema that is read; accepted: {', '.join(SCHEMAS)}",
+            f"{kind_of(schema)} is not a schema that is read; accepted: {', '.join(SCHEMAS)}",
             where="schema",
         )
     part = document["part"]
     if not isinstance(part, dict):
         raise FormatError(
-            f'{_kind(part)} is not a part; accepted: an object with "vertices"', where="part"
+            f'{kind_of(part)} is not a part; accepted: an object with "vertices"', where="part"
         )
     return _from_part(part)
 
@@ -156,12 +118,12 @@ def _from_geojson(document: _Object) -> Outline:
         geometry = document.get("geometry")
         if not isinstance(geometry, dict):
             raise FormatError(
-                f"{_kind(geometry)} is not a geometry; accepted: a GeoJSON Polygon",
+                f"{kind_of(geometry)} is not a geometry; accepted: a GeoJSON Polygon",
                 where="geometry",
             )
     if geometry.get("type") != "Polygon":
         raise FormatError(
-            f"{_kind(geometry.get('type'))} is not a geometry that is read; {ACCEPTED}",
+            f"{kind_of(geometry.get('type'))} is not a geometry that is read; {ACCEPTED}",
             where="type",
         )
     _refuse_misspellings(geometry)
@@ -202,7 +164,7 @@ def _holes(value: Any) -> tuple[Ring, ...]:
 
 def _refuse_ring_list(value: Any, where: str) -> NoReturn:
     raise FormatError(
-        f"{_kind(value)} is not a list of rings; accepted: [[[x, y], ...], ...]", where=where
+        f"{kind_of(value)} is not a list of rings; accepted: [[[x, y], ...], ...]", where=where
     )
 
 
@@ -210,7 +172,7 @@ def _ring(value: Any, prefix: str, where: str) -> Ring:
     """Read a list of pairs; `prefix` leads to a vertex of it, `where` names the list itself."""
     if not isinstance(value, list):
         raise FormatError(
-            f"{_kind(value)} is not a list of vertices; accepted: [[x, y], ...]", where=where
+            f"{kind_of(value)} is not a list of vertices; accepted: [[x, y], ...]", where=where
         )
     require_some_vertices(value, where)
     return without_closing_vertex(
@@ -220,13 +182,13 @@ def _ring(value: Any, prefix: str, where: str) -> Ring:
 
 def _point(value: Any, where: str) -> Point:
     if not isinstance(value, list) or len(value) != 2:
-        raise FormatError(f"{_kind(value)} is not a vertex; accepted: [x, y]", where=where)
+        raise FormatError(f"{kind_of(value)} is not a vertex; accepted: [x, y]", where=where)
     x, y = value
     if isinstance(x, str) and isinstance(y, str):
         return read_pair(x, y, where)
     axis, culprit = ("y", y) if isinstance(x, str) else ("x", x)
     raise NumberError(
-        f"{_kind(culprit)} is not a number; {scalars.ACCEPTED}", where=f"{where}, {axis}"
+        f"{kind_of(culprit)} is not a number; {scalars.ACCEPTED}", where=f"{where}, {axis}"
     )
 
 
@@ -237,22 +199,9 @@ def _center_of_mass(value: Any) -> Point | None:
 def _name(value: Any) -> str | None:
     if value is None:
         return None
-    if not isinstance(value, str) or isinstance(value, _NumberText) or not is_showable(value):
+    if not isinstance(value, str) or isinstance(value, NumberText) or not is_showable(value):
         raise FormatError(
-            f"{_kind(value)} is not a name; accepted: text without control characters",
+            f"{kind_of(value)} is not a name; accepted: text without control characters",
             where="name",
         )
     return value or None
-
-
-def _kind(value: Any) -> str:
-    """Say what a JSON value is; never its whole content, which may be long or deep."""
-    if isinstance(value, _NumberText):
-        return f"the number {value[:20]}"
-    if isinstance(value, str):
-        return f"the text {shown(value)}"
-    if isinstance(value, list):
-        return f"a list of {len(value)}"
-    if isinstance(value, dict):
-        return "an object"
-    return {None: "null", True: "true", False: "false"}[value]

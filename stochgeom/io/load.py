@@ -8,10 +8,9 @@ from typing import Final
 
 from stochgeom.errors import ReadError, SelfIntersectionError
 from stochgeom.geometry.part import Part
+from stochgeom.io.files import MAX_BYTES, decode_text
 from stochgeom.io.outlines import (
-    MAX_BYTES,
     Outline,
-    decode_outline,
     parse_outline,
     parse_point,
     read_outline,
@@ -50,7 +49,7 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
             return part
         return Part(part.vertices, _center(center_of_mass), part.name)
     if source == "-":
-        return part_of(parse_outline(decode_outline(_standard_input())), center_of_mass)
+        return part_of(parse_outline(decode_text(_standard_input())), center_of_mass)
     return part_of(_read_file(source), center_of_mass)
 
 

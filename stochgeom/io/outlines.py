@@ -13,7 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from stochgeom.errors import FormatError, ReadError
+from stochgeom.errors import FormatError
+from stochgeom.io.files import MAX_BYTES, decode_text, read_bytes
 from stochgeom.io.json_outline import parse_json
 from stochgeom.io.plain_outline import looks_plain, parse_plain, parse_point, parse_vertices
 from stochgeom.io.rings import Outline, showable, shown
@@ -22,15 +23,11 @@ from stochgeom.io.wkt_outline import looks_like_wkt, parse_wkt
 __all__ = [
     "MAX_BYTES",
     "Outline",
-    "decode_outline",
     "parse_outline",
     "parse_point",
     "parse_vertices",
     "read_outline",
 ]
-
-MAX_BYTES: Final = 64 * 2**20
-"""Largest outline that is read, in bytes of UTF-8."""
 
 ACCEPTED: Final = "accepted: JSON, WKT POLYGON, or a vertex per line such as 3 2 or 3,2"
 
@@ -60,41 +57,8 @@ def read_outline(path: str | os.PathLike[str]) -> Outline:
     stochgeom.errors.ReadError: no/such/file.json: cannot be read: No such file or directory; \
 accepted: a readable text file
     """
-    source = Path(os.fsdecode(path))
-    place = showable(str(source))
-    try:
-        with source.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: a null character in the path
-        reason = getattr(error, "strerror", None) or error
-        raise ReadError(
-            f"cannot be read: {reason}; accepted: a readable text file", where=place
-        ) from error
-    if len(content) > MAX_BYTES:
-        raise ReadError(f"larger than accepted: at most {MAX_BYTES} bytes", where=place)
-    return parse_outline(decode_outline(content), name=showable(source.stem))
-
-
-def decode_outline(content: bytes) -> str:
-    """Return the text of an outline's bytes.
-
-    Raises
-    ------
-    FormatError
-        If the bytes are not UTF-8; the place is the offset of the first byte that is not.
-
-    Examples
-    --------
-    >>> decode_outline(b"0 0")
-    '0 0'
-    """
-    try:
-        return content.decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise FormatError(
-            f"byte 0x{content[error.start]:02x} is not UTF-8; accepted: UTF-8 text",
-            where=f"byte {error.start}",
-        ) from None
+    content = read_bytes(path)
+    return parse_outline(decode_text(content), name=showable(Path(os.fsdecode(path)).stem))
 
 
 def parse_outline(text: str, *, name: str | None = None) -> Outline:

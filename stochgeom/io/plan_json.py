@@ -10,11 +10,11 @@ from typing import Any, Final
 
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
-from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational_text
-from stochgeom.feeding.planner import FeedingProblem
+from stochgeom.feeding.gripper_error import ErrorBound
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimage
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Point
 
@@ -24,9 +24,12 @@ Json = dict[str, Any]
 
 
 def plan_document(
-    problem: FeedingProblem, plan: FeedingPlan, geometric: FeedingPlan, digits: int = 4
+    problem: FeedingProblem, plan: FeedingPlan, geometric: FeedingPlan | None, digits: int = 4
 ) -> Json:
     """Return the document of a planned part: transfer function, preimages and both plans.
+
+    ``geometric`` is None where no plan orients the part with the gripper's error. What was asked
+    for beyond the defaults (prior, gripper error, goal) is added under keys of its own.
 
     Examples
     --------
@@ -38,7 +41,7 @@ def plan_document(
     transfer = problem.transfer
     return {
         "schema": SCHEMA,
-        "part": part_json(problem.part),
+        "part": None if problem.part is None else part_json(problem.part),
         "transfer": {
             "action": problem.action,
             "period": angle_json(transfer.period, digits),
@@ -46,13 +49,36 @@ def plan_document(
             "values": [angle_json(angle, digits) for angle in transfer.values],
         },
         "cost_ratio": rational_text(plan.cost_ratio),
+        **_asked(problem, digits),
         "preimages": [
             _preimage_json(preimage, problem, plan, digits)
             for preimage in problem.preimages.found()
         ],
         "plan": plan_json(plan, digits),
-        "geometric_plan": plan_json(geometric, digits),
+        "geometric_plan": None if geometric is None else plan_json(geometric, digits),
     }
+
+
+def _asked(problem: FeedingProblem, digits: int) -> Json:
+    """Return the prior, the gripper error and the goal where they are not the defaults."""
+    asked: Json = {}
+    if problem.prior is not None:
+        asked["prior"] = problem.prior.describe()
+    if problem.gripper_error is not None:
+        bound = problem.largest_gripper_error()
+        asked["gripper_error"] = angle_json(problem.gripper_error, digits)
+        asked["largest_gripper_error"] = None if bound is None else _bound_json(bound, digits)
+    if problem.final_steps is not None:
+        values = problem.transfer.values
+        asked["goal"] = [
+            angle_json(values[k] % problem.transfer.period, digits) for k in problem.final_steps
+        ]
+    return asked
+
+
+def _bound_json(bound: ErrorBound, digits: int) -> Json:
+    """Return twice the bound, exact, and the bound in degrees, rounded down; not attained."""
+    return {"doubled": angle_json(bound.slack, digits), "degrees": bound.degrees(digits)}
 
 
 def part_json(part: Part) -> Json:
@@ -104,19 +130,21 @@ def plan_json(plan: FeedingPlan, digits: int = 4) -> Json:
         "expected_cost_up_to_symmetry": plan.expected_cost_up_to_symmetry.decimal(digits),
         "probability_up_to_symmetry": plan.probability_up_to_symmetry.decimal(digits),
         "orients_up_to_symmetry": plan.orients_up_to_symmetry,
+        "margin": None if plan.margin is None else angle_json(plan.margin, digits),
     }
 
 
 def _preimage_json(
     preimage: Preimage, problem: FeedingProblem, plan: FeedingPlan, digits: int
 ) -> Json:
-    cost = TurnRatio(preimage.steps + plan.cost_ratio, preimage.width, inverse=True)
+    caught = problem.placement(preimage.steps) is not None
+    cost = problem.expected_cost(preimage.steps, plan.cost_ratio) if caught else None
     return {
         "steps": preimage.steps,
         **_arc_json(preimage.arc, digits),
         "image_width": angle_json(preimage.image_width, digits),
-        "expected_cost": cost.decimal(digits),
-        "probability": problem.probability(preimage.steps).decimal(digits),
+        "expected_cost": None if cost is None else cost.decimal(digits),
+        "probability": problem.probability(preimage.steps).decimal(digits) if caught else "0",
     }
 
 

@@ -50,3 +50,26 @@ TABLE_4_1: Final = {
     ),
 }
 """Cells of Table 4.1 that no part with the rest of the printed numbers can have."""
+
+APPENDIX_E: Final = {
+    "angles": Erratum(
+        "Fig. E.5, plan angles",
+        "25, 79, -23",
+        "-42, -95 and -144 for the rebuilt part (the middles of the ranges, added up)",
+        "the printed distributions make every action after the first turn the states the same way, "
+        "each by less than the widest step, .285 of a turn or 102.6 degrees; the increments of the "
+        "printed angles, 25, 54 and -102, do not have one sign, and turned the long way round they "
+        "are too large. The first two already exclude each other if they are middles of ranges: "
+        "with y the distances from the stable orientations up to the ends of their steps, the "
+        "ranges are [y_3, y_4) and [y_2, y_4), both below y_4, so the second middle is less than "
+        "twice the first, and 54 is more than 2 x 25",
+    ),
+    "cost": Erratum(
+        "App. E, text on the 4gon",
+        "the 1-step plan is the cheapest one, 3.7",
+        "7.1 for one step; 7.1, 5.5, 5.3 and 5.0 for 1 to 4 steps of the rebuilt part",
+        "the most likely state after one action has .28 in Fig. E.5, and 2 / .285 is more than 7; "
+        "3.7 is 2 / .54, the cost of one step over the probability of three",
+    ),
+}
+"""What Appendix E says of the 4gon and no 4gon with four stable edges can have."""

@@ -28,6 +28,10 @@ class CataloguePart:
     ----------
     part : Part
         Outline, centre of mass and name.
+    appendix_e : Part
+        The part as Appendix E has it. The house has its centre of mass at the mean of its vertices
+        there: the point of the other chapters does not give the printed distribution. All other
+        parts are the same.
     center_of_mass_is : str
         How the centre of mass was chosen.
     sides_printed : int
@@ -39,6 +43,7 @@ class CataloguePart:
     """
 
     part: Part
+    appendix_e: Part
     center_of_mass_is: str
     sides_printed: int
     printed: dict[str, str]
@@ -75,8 +80,11 @@ def catalogue_entry(name: str) -> CataloguePart:
     entry = _data().get(name)
     if entry is None:
         raise UnknownPartError(f"no part {name!r}; accepted: {', '.join(catalogue_names())}")
+    part = Part(entry["vertices"], entry["center_of_mass"], name)
+    other = entry.get("center_of_mass_appendix_E")
     return CataloguePart(
-        Part(entry["vertices"], entry["center_of_mass"], name),
+        part,
+        part if other is None else Part(entry["vertices"], other, name),
         entry["center_of_mass_is"],
         entry["sides_printed"],
         {cell: value["printed"] for cell, value in entry["cells"].items()},
@@ -84,12 +92,27 @@ def catalogue_entry(name: str) -> CataloguePart:
     )
 
 
-def catalogue_part(name: str) -> Part:
+def catalogue_part(name: str, *, appendix: str | None = None) -> Part:
     """Return a part of the source by name.
+
+    Parameters
+    ----------
+    name : str
+        One of `catalogue_names`.
+    appendix : str, optional
+        ``"E"`` for the centre of mass of that appendix, on push-grasps; it differs for the house.
+
+    Raises
+    ------
+    UnknownPartError
+        If there is no part of that name, or another appendix is asked for.
 
     Examples
     --------
-    >>> len(catalogue_part("house"))
-    5
+    >>> catalogue_part("house").center_of_mass, catalogue_part("house", appendix="E").center_of_mass
+    ((mpq(0,1), mpq(0,1)), (mpq(0,1), mpq(2,5)))
     """
-    return catalogue_entry(name).part
+    if appendix not in (None, "E"):
+        raise UnknownPartError(f"appendix {appendix!r}; accepted: 'E', or none")
+    entry = catalogue_entry(name)
+    return entry.part if appendix is None else entry.appendix_e

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, final
+from typing import Final, Protocol, final
 
-from stochgeom.exact.ratios import TurnRatio
-from stochgeom.feeding.planner import FeedingProblem
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.thesis.errata import TABLE_4_1, Erratum
 from stochgeom.thesis.parts import catalogue_entry, catalogue_names
 
 STEPS: Final = (1, 2, 3, 4)
+
+
+class Shown(Protocol):
+    """A number that decimals can be had of: a probability, a cost, an angle in degrees."""
+
+    def decimal(self, digits: int = 4) -> str:
+        """Return the number as a correctly rounded decimal."""
 
 
 @final
@@ -18,7 +24,7 @@ STEPS: Final = (1, 2, 3, 4)
 class Cell:
     """A number of a table: computed, printed, and why they differ if they do."""
 
-    computed: TurnRatio
+    computed: Shown
     printed: str
     erratum: Erratum | None
 

@@ -21,6 +21,7 @@ from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.transfer.canonical import canonical_steps, find_rotation, full_turn_share
+from stochgeom.transfer.composition import composed_steps
 
 
 @final
@@ -155,17 +156,23 @@ class StepFunction:
     def compose(self, inner: StepFunction) -> StepFunction:
         """Return the map theta -> self(inner(theta)).  O(m log m').
 
+        Its period is at most the smallest that both maps share, its steps begin at breaks of
+        `inner`. A value of `inner` that is a break of this map goes to the step on its right.
+
         Examples
         --------
         >>> s = StepFunction([Angle()], [Angle.from_degrees(45)], Angle.from_degrees(90))
         >>> s.compose(s) == s
         True
         """
-        shared = Angle.from_turns(mpq(1, gcd(self.order, inner.order)))
-        count = len(inner) * (inner.order // full_turn_share(shared))
-        breaks = [inner.lifted_breaks[k] for k in range(count)]
-        values = [self(inner.lifted_values[k]) for k in range(count)]
-        return StepFunction(breaks, values, shared)
+        order = gcd(self.order, inner.order)
+        breaks, values = composed_steps(
+            (self.lifted_breaks, self.lifted_values),
+            (inner.lifted_breaks, inner.lifted_values),
+            copies=inner.order // order,
+            rise=len(self) * (self.order // order),
+        )
+        return StepFunction(breaks, values, Angle.from_turns(mpq(1, order)))
 
     def power(self, exponent: int) -> StepFunction:
         """Return the map applied `exponent` >= 1 times.

@@ -17,11 +17,15 @@ from hypothesis import strategies as st
 from stochgeom.feeding import certificate_checker as checker
 from stochgeom.feeding.certificate_checker import InvalidClaimError, NoCertificateError
 from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry
+from stochgeom.geometry.part import Part
 from stochgeom.thesis.parts import catalogue_part
 
 CERTIFICATE = orient_up_to_symmetry(catalogue_part("4gon")).certificate()
 TEXT = json.dumps(CERTIFICATE)
 SMALL = FeedingProblem([(0, 0), (3, 0), (3, 2), (0, 2)]).plan_of(2).certificate()
+PUSHED = orient_up_to_symmetry(
+    Part([(52, 58), (0, 55), (8, 17), (51, 0)], (28, 32), "4gon"), action="push-grasp"
+).certificate()
 
 
 def call(capsys, path):
@@ -190,9 +194,9 @@ def test_the_text_of_a_key_may_be_escaped_but_not_repeated():
 # --- documents -----------------------------------------------------------------------------------
 
 
-def changed(place, value):
-    """Return the certificate with another value at a place such as ``plan.steps``."""
-    document = copy.deepcopy(CERTIFICATE)
+def changed(place, value, original=CERTIFICATE):
+    """Return a certificate with another value at a place such as ``plan.steps``."""
+    document = copy.deepcopy(original)
     node = document
     *path, last = [int(key) if key.isdigit() else key for key in place.split(".")]
     for key in path:
@@ -275,7 +279,7 @@ def test_fields_of_the_wrong_kind(place, value, message):
         ("hull", [0, 1, 2], "hull: claimed [0, 1, 2], but [0, 1, 2, 3] holds"),
         ("hull.0", nested(5000), "hull.0: claimed [[[[[[[...]]]]]]], but 0 holds"),
         ("hull.0", float("nan"), "hull.0: claimed nan, but 0 holds"),
-        ("action", "push", "action: claimed 'push', but 'squeeze' holds"),
+        ("action", "push", "action: claimed 'push', no squeeze or push-grasp"),
         ("extra", 1, "document: claimed ['schema', 'action', 'part', "),
     ],
     ids=reprlib.repr,
@@ -285,6 +289,68 @@ def test_claims_that_fail_are_named(place, value, message):
         checker.check(changed(place, value))
     assert not isinstance(caught.value, NoCertificateError)
     assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "message"),
+    [
+        ("part.center_of_mass", None, "part.center_of_mass: missing, or not a JSON list"),
+        ("part.center_of_mass", {"0": "1", "1": "2"}, "part.center_of_mass: missing"),
+        ("part.center_of_mass", [], "part.center_of_mass: [] is no pair"),
+        ("part.center_of_mass", ["28"], "part.center_of_mass: ['28'] is no pair"),
+        ("part.center_of_mass", ["28", "32", "0"], "part.center_of_mass: ['28', '32', '0'] is no"),
+        ("part.center_of_mass.0", 28, "part.center_of_mass: 28 is not p or p/q in lowest terms"),
+        ("part.center_of_mass.0", "28.0", "part.center_of_mass: '28.0' is not p or p/q"),
+        ("part.center_of_mass.0", "56/2", "part.center_of_mass: '56/2' is not p or p/q"),
+        ("part.center_of_mass.1", nested(5000), "part.center_of_mass: [[[[[[[...]]]]]]] is not"),
+        ("part.center_of_mass.1", "9" * 10**5, "part.center_of_mass: '9999999"),
+        ("part.vertices", {}, "part.vertices: missing, or not a JSON list"),
+    ],
+    ids=reprlib.repr,
+)
+def test_fields_of_the_wrong_kind_where_a_part_is_pushed(place, value, message):
+    with pytest.raises(NoCertificateError) as caught:
+        checker.check(changed(place, value, PUSHED))
+    assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "message"),
+    [
+        ("action", "push", "action: claimed 'push', no squeeze or push-grasp"),
+        ("action", None, "action: claimed None, no squeeze or push-grasp"),
+        ("action", ["push-grasp"], "action: claimed ['push-grasp'], no squeeze or push-grasp"),
+        ("action", "squeeze", "plan.actions.1.angle: outside (low, high]"),
+        ("part.center_of_mass", ["52", "58"], "part.center_of_mass: not strictly inside the hull"),
+        ("part.center_of_mass", ["26", "113/2"], "part.center_of_mass: not strictly inside"),
+        ("part.center_of_mass", ["-28", "-32"], "part.center_of_mass: not strictly inside the"),
+        ("part.center_of_mass", ["28", "33"], "push.breaks.0.angle.direction.0: claimed "),
+        ("part.vertices", [], "part: the outline has no area"),
+        ("part.vertices.0", ["52", "59"], "push.breaks."),
+        ("push", None, "push: claimed None, but ['period', 'breaks', 'values'] holds"),
+        ("push.breaks", [], "push.breaks: claimed [], but [{"),
+        ("push.breaks.1.vertex", "1", "push.breaks.1.vertex: claimed '1', but "),
+        ("push.values.1.edge", [0], "push.values.1.edge: claimed [0], but ["),
+        ("push.period.turns", 2, "push.period.turns: claimed 2, but 1 holds"),
+        ("squeeze.values.0.upper", [], "squeeze.values.0.upper: claimed [], but "),
+        ("breaks.0.push_break", True, "breaks.0.push_break: claimed True, but 0 holds"),
+        ("values.0.squeeze_value", 5, "values.0.squeeze_value: claimed 5, but 1 holds"),
+        ("plan.steps", 5, "plan.steps: not in 1 to 4"),
+        ("plan.actions.2.angle.turns", 10**17, "plan.actions.2.angle: outside (low, high]"),
+    ],
+    ids=reprlib.repr,
+)
+def test_claims_about_pushes_that_fail_are_named(place, value, message):
+    with pytest.raises(InvalidClaimError) as caught:
+        checker.check(changed(place, value, PUSHED))
+    assert not isinstance(caught.value, NoCertificateError)
+    assert str(caught.value).startswith(message)
+
+
+def test_a_squeeze_certificate_that_says_push_grasp():
+    with pytest.raises(NoCertificateError) as caught:
+        checker.check(changed("action", "push-grasp"))
+    assert str(caught.value) == "part.center_of_mass: missing, or not a JSON list"
 
 
 def test_another_schema_is_no_certificate_whatever_it_holds(capsys, tmp_path):
@@ -327,6 +393,7 @@ def places(node, path=()):
 
 
 PLACES = [place for place in places(CERTIFICATE) if place]
+PUSHED_PLACES = [place for place in places(PUSHED) if place]
 
 
 def replaced(document, place, value):
@@ -338,17 +405,17 @@ def replaced(document, place, value):
     return document
 
 
-def restored(document):
+def restored(document, original):
     """Return the text of a valid document, its free fields (name, nominal angles) put back."""
     document = copy.deepcopy(document)
-    document["part"]["name"] = CERTIFICATE["part"]["name"]
-    nominal = zip(document["plan"]["actions"], CERTIFICATE["plan"]["actions"], strict=True)
+    document["part"]["name"] = original["part"]["name"]
+    nominal = zip(document["plan"]["actions"], original["plan"]["actions"], strict=True)
     for mine, given_angle in nominal:
         mine["angle"] = given_angle["angle"]
     return json.dumps(document)
 
 
-def assert_refused_or_true(document):
+def assert_refused_or_true(document, original=CERTIFICATE):
     """Only the checker's own two errors come out of it, whatever goes in."""
     try:
         checker.check(document)
@@ -357,7 +424,7 @@ def assert_refused_or_true(document):
     else:
         message = "valid"
         assert isinstance(document["part"]["name"], str | None)
-        assert restored(document) == json.dumps(CERTIFICATE)
+        assert restored(document, original) == json.dumps(original)
     assert message.isascii()
     assert "\n" not in message
     assert 0 < len(message) < 1000
@@ -378,6 +445,11 @@ def test_any_document_with_the_right_keys_is_refused(fields):
 def test_anything_anywhere_is_refused(place, value):
     """At every place, what is not what was there is found (and raises nothing else)."""
     assert_refused_or_true(replaced(CERTIFICATE, place, value))
+
+
+@given(st.sampled_from(PUSHED_PLACES), anything)
+def test_anything_anywhere_is_refused_where_a_part_is_pushed(place, value):
+    assert_refused_or_true(replaced(PUSHED, place, value), PUSHED)
 
 
 @given(st.lists(st.tuples(st.sampled_from(PLACES), anything), min_size=2, max_size=4))

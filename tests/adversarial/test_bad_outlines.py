@@ -19,9 +19,9 @@ from stochgeom.errors import (
     ReadError,
     TooFewVerticesError,
 )
-from stochgeom.io import outlines
+from stochgeom.io import files, outlines
+from stochgeom.io.files import decode_text
 from stochgeom.io.outlines import (
-    decode_outline,
     parse_outline,
     parse_point,
     parse_vertices,
@@ -354,10 +354,11 @@ class TestFiles:
         path = tmp_path / "part.txt"
         path.write_bytes(content)
         assert_refuses(read_outline, path, FormatError, where, word)
-        assert_refuses(decode_outline, content, FormatError, where, word)
+        assert_refuses(decode_text, content, FormatError, where, word)
 
     def test_the_size_limit(self, tmp_path, monkeypatch):
-        monkeypatch.setattr(outlines, "MAX_BYTES", 8)
+        for module in (outlines, files):
+            monkeypatch.setattr(module, "MAX_BYTES", 8)
         path = tmp_path / "part.txt"
         path.write_bytes(b"0 0\n1 1\n")
         assert len(read_outline(path).vertices) == 2
@@ -448,5 +449,5 @@ def test_any_text_is_read_or_an_input_error(function, text):
 
 @given(st.binary(max_size=30))
 def test_any_bytes_are_text_or_an_input_error(content):
-    error = refusal(decode_outline, content)
+    error = refusal(decode_text, content)
     assert error is None or error.where.startswith("byte ")

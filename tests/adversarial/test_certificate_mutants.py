@@ -4,8 +4,9 @@ A mutant differs from a true certificate in one place: a value, an entry or a ke
 doubled, added or exchanged with another. The checker must reject every one of them, except those
 that are true as well. The rule for these is applied before the checker is asked:
 
-- only the outline, its name, the cost ratio, the number of steps and the nominal angles are given;
-  all else follows from them. Where none of these five has changed, a mutant is a lie.
+- only the action, the outline, its name, the cost ratio, the number of steps and the nominal angles
+  are given, and for push-grasp plans the centre of mass; all else follows from them. Where none of
+  these has changed, a mutant is a lie.
 - Otherwise the library writes a certificate for what the mutant gives. If it is the mutant, word
   for word, the mutant is true: another name, a nominal angle still in its range and in canonical
   form, or an outline whose extrema are the same (an inner vertex moved, say). If it is not, or if
@@ -44,6 +45,7 @@ Json = dict[str, Any]
 Place = tuple[str | int, ...]
 SEED = 20261122
 PARTS = 50
+PUSHED_PARTS = 40
 
 # --- the parts -----------------------------------------------------------------------------------
 
@@ -78,6 +80,32 @@ def certificates() -> Iterator[tuple[str, Json]]:
         yield part.name or f"part {k}", plans[k % 3].certificate()
 
 
+def push_certificates() -> Iterator[tuple[str, Json]]:
+    """Yield the same for push-grasp plans, of parts with their centroid or another point inside."""
+    rng = random.Random(SEED)
+    thesis = [Part(catalogue_part("house").vertices, (0, "2/5"), "house")]
+    thesis += [Part([(52, 58), (0, 55), (8, 17), (51, 0)], (28, 32), "4gon")]
+    named = [*thesis, *SPECIAL, INNER, DOUBLED, THIRDS]
+    parts = named + [with_a_center(random_part(rng), rng) for _ in range(PUSHED_PARTS - len(named))]
+    for k, part in enumerate(parts):
+        problem = FeedingProblem(part, "push-grasp")
+        c = [1, 0, "5/3", 10][k % 4]
+        longest = problem.geometric_plan().steps
+        plans = problem.optimal_plan(c), problem.geometric_plan(c), problem.plan_of(1 + k % longest)
+        yield part.name or f"part {k}", plans[k % 3].certificate()
+
+
+def with_a_center(part: Part, rng: random.Random) -> Part:
+    """Return the part with a mean of its corners as centre of mass."""
+    corners = part.hull.points.pairs()
+    weights = [rng.randint(1, 4) for _ in corners]
+    x, y = (
+        sum(w * corner[axis] for w, corner in zip(weights, corners, strict=True)) / sum(weights)
+        for axis in (0, 1)
+    )
+    return Part(part.vertices, (x, y))
+
+
 # --- what is true --------------------------------------------------------------------------------
 
 
@@ -85,6 +113,7 @@ def given_facts(document: Json) -> Any:
     """Return what a certificate's other claims follow from."""
     plan = document["plan"]
     return (
+        document["action"],
         document["part"],
         document["cost_ratio"],
         plan["steps"],
@@ -108,7 +137,9 @@ def word_for_word(value: Any) -> str:
     return json.dumps(value, sort_keys=True)
 
 
-def library_certificate(part: Json, cost_ratio: str, steps: int, nominal: list[Json]) -> Json:
+def library_certificate(
+    action_name: str, part: Json, cost_ratio: str, steps: int, nominal: list[Json]
+) -> Json:
     """Return what the library certifies for these facts; the hull stands for the outline."""
     assert isinstance(part["name"], str | None)
     assert rational_text(rational(cost_ratio)) == cost_ratio
@@ -117,16 +148,24 @@ def library_certificate(part: Json, cost_ratio: str, steps: int, nominal: list[J
     assert [[rational_text(x), rational_text(y)] for x, y in outline] == part["vertices"]
     distinct = list(dict.fromkeys(outline))
     corners = [distinct[int(k)] for k in convex_hull(Points.from_pairs(distinct)).indices]
-    plan = FeedingProblem(Part(corners)).plan_of(steps, cost_ratio)
+    given_part = {"name": part["name"], "vertices": part["vertices"]}
+    center = None
+    if action_name == "push-grasp":
+        x, y = center = tuple(rational(number) for number in part["center_of_mass"])
+        given_part["center_of_mass"] = [rational_text(x), rational_text(y)]
+    plan = FeedingProblem(Part(corners, center), action_name).plan_of(steps, cost_ratio)
     document = plan.certificate()
     number = [outline.index(corner) for corner in corners]
     hull = [number[k] for k in document["hull"]]
     first = hull.index(min(hull))
     document["hull"] = hull[first:] + hull[:first]
-    for entry in document["breaks"] + document["values"]:
-        for jaw in ("lower", "upper"):
-            entry[jaw] = [number[k] for k in entry[jaw]]
-    document["part"] = {"name": part["name"], "vertices": part["vertices"]}
+    for table in (document, document.get("squeeze", {}), document.get("push", {})):
+        for entry in table.get("breaks", []) + table.get("values", []):
+            for key in {"lower", "upper", "edge"} & entry.keys():
+                entry[key] = [number[k] for k in entry[key]]
+            if "vertex" in entry:
+                entry["vertex"] = number[entry["vertex"]]
+    document["part"] = given_part
     actions = zip(plan.actions, document["plan"]["actions"], nominal, strict=True)
     for k, (action, listed, claimed) in enumerate(actions):
         angle = Angle(claimed["turns"], [rational(number) for number in claimed["direction"]])
@@ -392,10 +431,14 @@ class Tally:
         )
 
 
-def count_mutants(systematic: int, randomly: int) -> Tally:
+def count_mutants(
+    systematic: int,
+    randomly: int,
+    source: Callable[[], Iterator[tuple[str, Json]]] = certificates,
+) -> Tally:
     """Try so many mutants of each part, or all systematic ones if there are fewer."""
     rng, tally = random.Random(SEED), Tally()
-    for name, document in certificates():
+    for name, document in source():
         tally.parts += 1
         everything = list(changes(document))
         chosen = rng.sample(everything, min(systematic, len(everything)))
@@ -422,11 +465,22 @@ def test_every_mutant_is_found(capsys):
     assert tally.true > 0
 
 
-@pytest.mark.slow
-def test_every_mutant_is_found_the_long_way(capsys):
-    tally = count_mutants(systematic=1700, randomly=600)
+def test_every_mutant_of_a_push_grasp_plan_is_found(capsys):
+    tally = count_mutants(50, 20, push_certificates)
     report(tally, capsys)
-    assert tally.lies >= 100_000
+    assert tally.parts == PUSHED_PARTS
+    assert tally.lies >= 2_500
+    assert tally.survivors == []
+    assert tally.false_alarms == []
+    assert tally.true > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("source", [certificates, push_certificates])
+def test_every_mutant_is_found_the_long_way(capsys, source):
+    tally = count_mutants(1700, 600, source)
+    report(tally, capsys)
+    assert tally.lies >= 80_000
     assert tally.survivors == []
     assert tally.false_alarms == []
 
@@ -443,10 +497,32 @@ def test_every_systematic_mutant_of_one_certificate_is_found():
     assert tally.false_alarms == []
 
 
+def about_the_push(document: Json) -> list[Change]:
+    """Return the changes of what a push-grasp plan's certificate says in its own way."""
+    own = {"action", "part", "push", "squeeze", "breaks", "values"}
+    return [change for change in changes(document) if change[1][0] in own]
+
+
+def test_every_systematic_mutant_of_one_push_grasp_plan_is_found():
+    triangle = Part([(0, 0), (4, 0), (0, 3)], name="3 4 5")
+    document = FeedingProblem(triangle, "push-grasp").optimal_plan().certificate()
+    tally = Tally(parts=1)
+    for change in about_the_push(document):
+        mutant = mutate(document, change)
+        if mutant is not None:
+            tally.add("triangle", mutant, document)
+    assert tally.lies > 2000
+    assert tally.survivors == []
+    assert tally.false_alarms == []
+
+
 # --- the rule and the mutants themselves ---------------------------------------------------------
 
 RECTANGLE = FeedingProblem(Part([(0, 0), (3, 0), (3, 2), (0, 2)], name="tray"))
 NOTCHED = FeedingProblem([(0, 0), (3, 0), (3, 2), (2, 1), (0, 2)])
+PUSHED = FeedingProblem(
+    Part([(0, 0), (6, 0), (6, 4), (4, 1), (0, 4)], (3, 1), "pushed"), "push-grasp"
+)
 
 
 def changed(problem, place, value):
@@ -479,6 +555,17 @@ class TestTheRule:
             (NOTCHED, ("part", "vertices", 2, 0), "4", False),
             (NOTCHED, ("cost_ratio",), "2", False),
             (NOTCHED, ("plan", "steps"), 1, False),
+            (NOTCHED, ("action",), "push-grasp", False),
+            (PUSHED, ("part", "name"), "another", True),
+            (PUSHED, ("part", "vertices", 3), ["4", "2"], True),
+            (PUSHED, ("part", "vertices", 3), ["4", "5"], False),
+            (PUSHED, ("part", "center_of_mass"), ["3", "2"], False),
+            (PUSHED, ("part", "center_of_mass", 1), "2/2", False),
+            (PUSHED, ("part", "center_of_mass", 1), 1, False),
+            (PUSHED, ("part", "center_of_mass", 1), "0", False),
+            (PUSHED, ("part", "center_of_mass", 1), "5", False),
+            (PUSHED, ("part", "center_of_mass"), None, False),
+            (PUSHED, ("action",), "squeeze", False),
         ],
     )
     def test_it_is_the_checkers(self, problem, place, value, expected):
@@ -492,7 +579,7 @@ class TestTheRule:
                 checker.check(mutant)
 
     def test_the_library_writes_the_certificate_again(self):
-        for _, document in certificates():
+        for _, document in [*certificates(), *push_certificates()]:
             assert library_certificate(*given_facts(document)) == document
 
 
@@ -529,6 +616,46 @@ def test_the_mutants_are_of_all_kinds():
         "1 becomes -1 at costs.0.comparison",
     ):
         assert expected in found
+
+
+def test_the_mutants_of_push_grasp_plans_are_of_all_kinds():
+    document = PUSHED.geometric_plan().certificate()
+    mutants = (mutate(document, change) for change in about_the_push(document))
+    found = {str(mutant) for mutant in mutants if mutant}
+    for expected in (
+        "entries 0 and 1 exchanged at push.values.0.edge",
+        "reversed at push.values.0.edge",
+        "entry 0 dropped at push.breaks",
+        "breaks and values exchanged at push",
+        "a turn on at push.values.3.angle",
+        "a key added at squeeze",
+        "lower and upper exchanged at squeeze.breaks.0",
+        "0 becomes 1 at breaks.0.push_break",
+        "angle and squeeze_value exchanged at values.0",
+        "center_of_mass dropped at part",
+        "entries 0 and 1 exchanged at part.center_of_mass",
+    ):
+        assert expected in found
+
+
+@pytest.mark.parametrize("place", ["push.", "squeeze.", "breaks", "values"])
+def test_a_checker_blind_to_pushes_would_be_caught(monkeypatch, place):
+    """If it believed one of the tables, mutants would survive."""
+    blind = checker.agree
+
+    def agree(claimed, true, where):
+        if not where.startswith(place):
+            blind(claimed, true, where)
+
+    monkeypatch.setattr(checker, "agree", agree)
+    document = PUSHED.geometric_plan().certificate()
+    tally, rng = Tally(parts=1), random.Random(SEED)
+    for change in rng.sample(about_the_push(document), 300):
+        mutant = mutate(document, change)
+        if mutant is not None:
+            tally.add("pushed", mutant, document)
+    assert tally.survivors
+    assert all(f"at {place.rstrip('.')}" in survivor for survivor in tally.survivors)
 
 
 def test_a_blind_checker_would_be_caught(monkeypatch):

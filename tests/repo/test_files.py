@@ -12,8 +12,8 @@ from tests.repo.sources import MODULES, relative
 
 MOST_FILE_LINES = 400
 LONGER_FILES = {
-    # One file by contract, to be read and run by itself; its code lines are about 300.
-    "certificate_checker.py": 500,
+    # One file by contract, to be read and run by itself; its code lines are about 370.
+    "certificate_checker.py": 620,
 }
 MOST_FUNCTION_LINES = 60
 BANNED_CALLS = frozenset({"isclose", "allclose", "assert_allclose"})

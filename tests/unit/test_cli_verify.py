@@ -43,6 +43,54 @@ def test_the_words_of_a_verdict(capsys, house, tmp_path):
     )
 
 
+@pytest.mark.parametrize(
+    ("arguments", "subject", "claims"),
+    [
+        (
+            ["house", "--center-of-mass", "0,2/5"],
+            "3 push-grasps for house, its centre of mass at (0, 2/5)",
+            "1, and the fewest that orient it up to symmetry",
+        ),
+        (
+            ["house", "--center-of-mass", "0,2/5", "--cost-ratio", "0"],
+            "1 push-grasp for house, its centre of mass at (0, 2/5)",
+            "0",
+        ),
+        (
+            ["--vertices", "0,0 2,0 2,2 0,2"],
+            "1 push-grasp for this part, its centre of mass at (1, 1)",
+            "1, and the fewest that orient it up to symmetry",
+        ),
+    ],
+)
+def test_push_grasp_plans(capsys, tmp_path, arguments, subject, claims):
+    path = str(tmp_path / "plan.json")
+    pushing = ["--action", "push-grasp", "--certificate", path]
+    assert call(capsys, "plan", *arguments, *pushing).code == 0
+    result = call(capsys, "verify", path)
+    verdict = f"valid: {subject}: of least expected cost at a cost ratio of {claims}\n"
+    assert (result.code, result.out, result.err) == (0, verdict, "")
+    document = json.loads(Path(path).read_text())
+    document["push"]["breaks"][0]["vertex"] += 1
+    Path(path).write_text(json.dumps(document))
+    result = call(capsys, "verify", path)
+    assert (result.code, result.err) == (1, "")
+    assert result.out.startswith("invalid: push.breaks.0.vertex: claimed ")
+    assert call(capsys, "verify", path, "--json").document["claim"] == "push.breaks.0.vertex"
+
+
+def test_a_centre_of_mass_moved_in_the_file(capsys, tmp_path):
+    path = tmp_path / "plan.json"
+    pushing = ["--action", "push-grasp", "--certificate", str(path)]
+    call(capsys, "plan", "house", "--center-of-mass", "0,2/5", *pushing)
+    text = path.read_text()
+    for moved, words in (("1/2", "invalid: push."), ("5", "invalid: part.center_of_mass: not ")):
+        path.write_text(text.replace('"2/5"', f'"{moved}"', 1))
+        result = call(capsys, "verify", str(path))
+        assert (result.code, result.err) == (1, "")
+        assert result.out.startswith(words)
+
+
 def test_a_lie_is_named_and_the_exit_code_is_1(capsys, house):
     document = json.loads(house.read_text())
     document["preimages"][1]["last"] += 1  # from 1

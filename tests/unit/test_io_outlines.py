@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from gmpy2 import mpq
 
-from stochgeom.io.outlines import Outline, decode_outline, parse_outline, read_outline
+from stochgeom.io.files import decode_text
+from stochgeom.io.outlines import Outline, parse_outline, read_outline
 
 TRIANGLE = ((mpq(0), mpq(0)), (mpq(3), mpq(0)), (mpq(3), mpq(2)))
 TEXTS = {
@@ -65,7 +66,7 @@ def test_a_file_name_that_is_not_utf8(tmp_path):
 
 
 def test_decoding_keeps_the_byte_order_mark_for_the_parser():
-    assert parse_outline(decode_outline(b"\xef\xbb\xbf0 0")).vertices == ((0, 0),)
+    assert parse_outline(decode_text(b"\xef\xbb\xbf0 0")).vertices == ((0, 0),)
 
 
 def test_an_outline_is_a_value():

@@ -48,6 +48,7 @@ RECTANGLE_PLAN = {
     "expected_cost_up_to_symmetry": "3.0000",
     "probability_up_to_symmetry": "1.0000",
     "orients_up_to_symmetry": True,
+    "margin": {"turns": 0, "direction": ["5", "1"], "degrees": "11.3099"},
 }
 
 RECTANGLE = {

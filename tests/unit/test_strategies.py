@@ -13,6 +13,9 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO
+from stochgeom.exact.offset_directions import OffsetDirections
+from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.geometry.sight import look_around
 from tests import strategies
 
 COUNT = 150
@@ -235,3 +238,56 @@ def test_necklaces_have_hidden_periods():
 
 def test_mixtures_leave_the_lower_end():
     assert all(low >= 0 and high > 0 for low, high in sample(strategies.mixtures))
+
+
+# --- centres of mass -----------------------------------------------------------------------------
+
+
+def test_centers_are_inside_and_often_over_ends_of_edges():
+    found = sample(strategies.centered_parts())
+    assert all(part.center_of_mass_side == 1 for part in found)
+    assert share(found, lambda part: part.has_given_center) > 0.5
+
+    def has_a_flat_slope(part):
+        sight = look_around(part)
+        return (sight.before == 0).any() or (sight.after == 0).any()
+
+    assert share(found, has_a_flat_slope) > 0.1
+    assert share(found, lambda part: len(RadiusFunction(part).minima) < len(part.hull)) > 0.2
+
+
+def test_long_centers_do_not_fit_machine_integers_with_their_parts():
+    found = sample(strategies.long_centered_parts())
+    assert all(part.center_of_mass_side == 1 for part in found)
+    kinds = [type(look_around(part).upright) for part in found]
+    assert share(kinds, lambda kind: kind is OffsetDirections) > 0.3
+
+
+# --- priors --------------------------------------------------------------------------------------
+
+
+def test_weighted_points_sum_to_one_with_ties_and_zeros():
+    found = sample(strategies.weighted_points())
+    assert all(sum(points.values()) == 1 for points in found)
+    assert share(found, lambda points: 0 in points.values()) > 0.15
+    assert share(found, lambda points: len(set(points.values())) < len(points)) > 0.3
+
+
+def test_histograms_are_sorted_with_gaps_and_empty_bins():
+    found = sample(strategies.histograms())
+    assert all(len(edges) == len(counts) + 1 and any(counts) for edges, counts in found)
+    assert all(a < b for edges, _ in found for a, b in pairwise(edges))
+    assert all(edges[-1] - edges[0] <= 360 for edges, _ in found)
+    assert share(found, lambda bins: bins[0][-1] - bins[0][0] < 360) > 0.3
+    assert share(found, lambda bins: 0 in bins[1]) > 0.2
+    assert share(found, lambda bins: bins[0][0] < 0 < bins[0][-1]) > 0.2
+
+
+def test_circle_points_are_close_to_others_often():
+    found = sample(strategies.circle_points())
+    assert all(sum(weight for _, weight in points) == 1 for points in found)
+    near = [
+        any((a + strategies.TINY).reduced() == b.reduced() for a, _ in points for b, _ in points)
+        for points in found
+    ]
+    assert share(near, bool) > 0.3

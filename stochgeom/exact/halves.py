@@ -1,0 +1,51 @@
+"""Half of an angle: exactly where that is an `Angle`, else a simple direction close to it."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from gmpy2 import isqrt, mpq, mpz
+
+from stochgeom.exact.angles import Angle, make_angle
+from stochgeom.exact.directions import simplest_between
+
+HALF_BITS: Final = 20
+"""A half that is not exact is within a 2**-20th of itself."""
+
+
+def near_half(angle: Angle) -> tuple[Angle, bool]:
+    """Return half of an angle, 0 or more, and whether it is exactly that.
+
+    Half of 2 pi t + arg(x + i y) is exact if the angle is a rational number of turns or the
+    length n of (x, y) is whole, as (n + x, y) has half the argument. Otherwise n is enclosed
+    between two whole numbers, at a scale of 2**20 or more: the slope y / (n + x), and with it
+    the half, is within a 2**-20th of the truth, and the simplest direction of that range is taken.
+
+    Examples
+    --------
+    >>> near_half(Angle(0, (3, 4)))
+    (Angle(0, (2, 1)), True)
+    >>> half, exact = near_half(Angle(0, (3, 2)))
+    >>> half.degrees(3), exact
+    ('16.845', False)
+    """
+    turns = angle.rational_turns
+    if turns is not None:
+        return Angle.from_turns(turns / 2), True
+    x, y = angle.direction
+    start = Angle.from_turns(mpq(angle.turn_part) / 2)
+    square = x * x + y * y
+    n = isqrt(square)
+    if n * n == square:
+        return start + _half_direction(n, x, y), True
+    n = isqrt(square << (2 * HALF_BITS))
+    x, y = x << HALF_BITS, y << HALF_BITS
+    first, last = sorted([_half_direction(n, x, y), _half_direction(n + 1, x, y)])
+    return start + simplest_between(first, last), False
+
+
+def _half_direction(n: mpz, x: Any, y: Any) -> Angle:
+    """Return half of arg(x + i y) in (0, 360) degrees, n its length, without cancellation."""
+    if x < 0:
+        return make_angle(0, y, n - x)
+    return make_angle(0, n + x, y) if y > 0 else make_angle(0, -n - x, -y)

@@ -1,0 +1,221 @@
+"""Priors from the command line and from files.
+
+A source is ``uniform``, ``normal:MEAN,SD``, ``von-mises:MEAN,KAPPA`` (degrees), or the path of a
+file. A file holds measured orientations, one to a line in degrees, each followed by how often it
+was seen if that is not once::
+
+    # orientation  count
+    12.5
+    40    3
+
+or a JSON object with a ``kind``, numbers in it as such or as text, angles in degrees:
+
+- ``{"kind": "uniform"}``;
+- ``{"kind": "discrete", "points": [[ANGLE, WEIGHT], ...]}``, weights of sum 1;
+- ``{"kind": "measurements", "degrees": [ANGLE, ...]}``;
+- ``{"kind": "histogram", "edges": [ANGLE, ...], "counts": [COUNT, ...]}``;
+- ``{"kind": "piecewise", "pieces": [[START, WIDTH, DENSITY], ...]}``, densities per full turn;
+- ``{"kind": "normal", "mean": ANGLE, "sd": DEGREES}``;
+- ``{"kind": "von mises", "mean": ANGLE, "kappa": NUMBER}``;
+- ``{"kind": "mixture", "components": [[WEIGHT, {"kind": ...}], ...]}``, weights of sum 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+from gmpy2 import mpq
+
+from stochgeom.decision.density_priors import VonMises, WrappedNormal
+from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.mixture_prior import MixturePrior
+from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.priors import Prior, uniform_prior
+from stochgeom.errors import FormatError, ReadError, StochgeomError
+from stochgeom.exact.angles import Angle
+from stochgeom.exact.arcs import Arc
+from stochgeom.exact.scalars import parse_rational
+from stochgeom.io.exact_json import kind_of, load_json
+from stochgeom.io.files import decode_text, read_bytes
+from stochgeom.io.rings import shown
+
+ACCEPTED: Final = (
+    'accepted: uniform, "normal:MEAN,SD", "von-mises:MEAN,KAPPA", or a file with an orientation in '
+    'degrees to a line or a JSON object with a "kind"'
+)
+
+_MAX_DEPTH: Final = 20
+
+
+def load_prior(source: str) -> Prior:
+    """Return the prior that a source names; see the module for what a file may hold.
+
+    Raises
+    ------
+    ReadError
+        If it is neither a known word nor a readable file.
+    FormatError, NumberError, PriorError
+        If the content is no prior; the place in it is named.
+
+    Examples
+    --------
+    >>> load_prior("normal:10,2.5").describe()
+    'normal, mean 10.0000°, standard deviation 2.5000°'
+    """
+    word, colon, rest = source.partition(":")
+    if source == "uniform":
+        return uniform_prior()
+    if colon and word in _WORDS:
+        numbers = rest.split(",")
+        if len(numbers) != 2:
+            raise FormatError(f"{shown(source)} is no prior; {ACCEPTED}", where="prior")
+        mean, spread = (parse_rational(number, where=f"prior {word}") for number in numbers)
+        return _WORDS[word](mean, spread)
+    try:
+        content = read_bytes(source)
+    except ReadError as error:
+        if not isinstance(error.__cause__, FileNotFoundError):
+            raise
+        raise ReadError(
+            f"neither a kind of prior nor a file; {ACCEPTED}", where=error.where
+        ) from None
+    try:
+        return parse_prior(decode_text(content))
+    except StochgeomError as error:  # several files may be named on one command line
+        place = source if error.where is None else f"{source}, {error.where}"
+        raise type(error)(error.message, where=place) from None
+
+
+def parse_prior(text: str) -> Prior:
+    r"""Return the prior that the content of a file describes.
+
+    Examples
+    --------
+    >>> parse_prior("12.5\n40 3  # seen three times\n").describe()
+    'discrete, 2 orientations'
+    """
+    if text.lstrip("\ufeff \t\r\n").startswith(("{", "[")):
+        return _from_json(load_json(text.lstrip("\ufeff"), ACCEPTED), "", 0)
+    counts: list[tuple[mpq, mpq]] = []
+    for number, line in enumerate(text.lstrip("\ufeff").splitlines(), start=1):
+        fields = line.partition("#")[0].replace(",", " ").split()
+        if not fields:
+            continue
+        place = f"line {number}"
+        if len(fields) > 2:
+            raise FormatError(
+                f"{shown(line.strip())}; accepted: an orientation in degrees, and how often it was "
+                "seen",
+                where=place,
+            )
+        values = [parse_rational(field, where=place) for field in fields]
+        counts.append((values[0], values[1] if len(values) > 1 else mpq(1)))
+    if not counts:
+        raise FormatError(f"no orientations; {ACCEPTED}")
+    return DiscretePrior.from_counts(counts)
+
+
+# --- JSON ----------------------------------------------------------------------------------------
+
+
+def _from_json(document: Any, place: str, depth: int) -> Prior:
+    if depth > _MAX_DEPTH:
+        raise FormatError(f"mixtures in mixtures, {depth} deep; accepted: at most {_MAX_DEPTH}")
+    if not isinstance(document, dict):
+        raise FormatError(f"{kind_of(document)} is no prior; {ACCEPTED}", where=place or None)
+    kind = document.get("kind")
+    maker = _MAKERS.get(kind) if isinstance(kind, str) else None
+    if maker is None:
+        raise FormatError(
+            f"{kind_of(kind)} is not a kind of prior; accepted: {', '.join(_MAKERS)}",
+            where=f"{place}kind",
+        )
+    keys, make = maker
+    if set(document) != {"kind", *keys}:
+        found = ", ".join(sorted(key for key in document if key != "kind")) or "none"
+        raise FormatError(
+            f"the keys of {kind} are {shown(found)}; accepted: {', '.join(keys) or 'none'}",
+            where=f"{place}kind",
+        )
+    return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+
+
+class _Field:
+    """A value in the document, with the place where it stands."""
+
+    def __init__(self, value: Any, place: str, depth: int) -> None:
+        self.value, self.place, self.depth = value, place, depth
+
+    def number(self) -> mpq:
+        if not isinstance(self.value, str):
+            raise FormatError(
+                f"{kind_of(self.value)}; accepted: a number, or its text", where=self.place
+            )
+        return parse_rational(self.value, where=self.place)
+
+    def items(self) -> list[_Field]:
+        if not isinstance(self.value, list):
+            raise FormatError(f"{kind_of(self.value)}; accepted: a list", where=self.place)
+        return [_Field(v, f"{self.place} {k}", self.depth) for k, v in enumerate(self.value)]
+
+    def rows(self, what: str) -> list[list[_Field]]:
+        found = []
+        for item in self.items():
+            row = item.items()
+            if len(row) != len(what.split(", ")):
+                raise FormatError(f"a list of {len(row)}; accepted: [{what}]", where=item.place)
+            found.append(row)
+        return found
+
+    def prior(self) -> Prior:
+        return _from_json(self.value, f"{self.place}, ", self.depth + 1)
+
+
+def _discrete(points: _Field) -> Prior:
+    return DiscretePrior(
+        [(angle.number(), weight.number()) for angle, weight in points.rows("ANGLE, WEIGHT")]
+    )
+
+
+def _measurements(degrees: _Field) -> Prior:
+    return DiscretePrior.from_measurements([angle.number() for angle in degrees.items()])
+
+
+def _histogram(edges: _Field, counts: _Field) -> Prior:
+    return PiecewisePrior.from_histogram(
+        [edge.number() for edge in edges.items()], [count.number() for count in counts.items()]
+    )
+
+
+def _piecewise(pieces: _Field) -> Prior:
+    rows = pieces.rows("START, WIDTH, DENSITY")
+    arcs = [
+        Arc(Angle.from_degrees(start.number()), Angle.from_degrees(width.number()))
+        for start, width, _ in rows
+    ]
+    return PiecewisePrior(
+        [(arc, density.number()) for arc, (_, _, density) in zip(arcs, rows, strict=True)]
+    )
+
+
+def _mixture(components: _Field) -> Prior:
+    rows = components.rows("WEIGHT, PRIOR")
+    return MixturePrior([(weight.number(), prior.prior()) for weight, prior in rows])
+
+
+_WORDS: Final[dict[str, Callable[[mpq, mpq], Prior]]] = {
+    "normal": WrappedNormal,
+    "von-mises": VonMises,
+}
+
+_MAKERS: Final[dict[str, tuple[tuple[str, ...], Callable[..., Prior]]]] = {
+    "uniform": ((), uniform_prior),
+    "discrete": (("points",), _discrete),
+    "measurements": (("degrees",), _measurements),
+    "histogram": (("edges", "counts"), _histogram),
+    "piecewise": (("pieces",), _piecewise),
+    "normal": (("mean", "sd"), lambda mean, sd: WrappedNormal(mean.number(), sd.number())),
+    "von mises": (("mean", "kappa"), lambda mean, kappa: VonMises(mean.number(), kappa.number())),
+    "mixture": (("components",), _mixture),
+}
