@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
-from typing import Final, final
+from typing import Final, NamedTuple, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,16 +26,14 @@ FEW: Final = 48
 """Sequences of at most so many entries are searched by Python loops: cheaper than array calls."""
 
 
-@final
-@dataclass(frozen=True)
-class Gap:
+class Gap(NamedTuple):
     """The angle a_end - a_start of a sequence; exact only when asked for."""
 
     sequence: LiftedAngles
     start: int
     end: int
 
-    @cached_property
+    @property
     def angle(self) -> Angle:
         """The exact difference."""
         return self.sequence[self.end] - self.sequence[self.start]
@@ -72,6 +69,11 @@ class LiftedAngles:
         # twice the period's; what is left of both covers the rounding of the sum.
         proven = 2 * base.error + 3 * shadow_error(period)
         self.error = proven if error is None else error
+        # A target carries the errors of a_i and of an offset, a_k its own; 2**-48 covers the
+        # roundings, of values below 2**4 or of multiples of long periods. A width is within
+        # 2 error + 2**-50 of the truth, so the largest of them may look smaller by twice that.
+        self._margin = 2 * self.error + 2.0**-48
+        self._width_margin = 4 * self.error + 2.0**-48
         self.exact_decisions = 0
         self._few: list[float] | None = self._shadow.tolist() if len(base) <= FEW else None
         self._following: dict[int, Angle] = {}  # entries of the second period asked for so far
@@ -115,11 +117,9 @@ class LiftedAngles:
         O(log m) exact comparisons for each entry that the shadow leaves open.
         """
         width, error = self._filter_of(offset)
-        # The target carries the errors of a_i and of the offset, a_k its own; 2**-48 covers the
-        # roundings, of values below 2**4 or of multiples of long periods (see `error`).
-        margin = 2 * self.error + error + 2.0**-48
+        margin = self._margin + error
         if self._few is not None:
-            every = self._last_below_few(self._few, offset, width, margin)
+            every = np.array(self._last_below_few(self._few, offset, width, margin))
             return every if at is None else every[at]
         m, values = len(self), self._shadow
         targets = (values[:m] if at is None else values[at]) + width
@@ -141,7 +141,7 @@ class LiftedAngles:
 
     def _last_below_few(
         self, values: list[float], offset: Angle | Gap, width: float, margin: float
-    ) -> Indices:
+    ) -> list[int]:
         m = len(self)
         last = []
         for i in range(m):
@@ -151,7 +151,7 @@ class LiftedAngles:
                 last.append(after - 1)
             else:
                 last.append(self._exact_last_below(i, offset, target, margin))
-        return np.array(last)
+        return last
 
     def _exact_last_below(self, i: int, offset: Angle | Gap, target: float, margin: float) -> int:
         self.exact_decisions += 1
@@ -171,7 +171,7 @@ class LiftedAngles:
     def largest_gaps(self, last: Indices) -> Indices:
         """Return every i in [0, m) for which a_{last[i]+1} - a_i is largest, in order."""
         if self._few is not None:
-            return self._largest_few(self._few, last.tolist())
+            return np.array(self._largest_few(self._few, last.tolist()))
         after = last + 1
         widths = self._shadow[after] - self._shadow[: len(self)]
         return self._largest(widths, np.arange(len(self)), after)
@@ -179,18 +179,32 @@ class LiftedAngles:
     def largest_steps(self) -> Indices:
         """Return every i in [0, m) for which a_{i+1} - a_i is largest, in order."""
         if self._few is not None:
-            return self._largest_few(self._few, range(len(self)))
+            return np.array(self._largest_few(self._few, range(len(self))))
         m, base = len(self), self.base.shadow
         widths = np.append(base[1:], base[0] + shadow(self.period)) - base
         return self._largest(widths, np.arange(m), np.arange(1, m + 1))
 
-    def _largest_few(self, values: list[float], last: Sequence[int]) -> Indices:
+    def _largest_few(self, values: list[float], last: Sequence[int]) -> list[int]:
         widths = [values[k + 1] - a for k, a in zip(last, values, strict=False)]
         least = max(widths) - self._width_margin
         near = [i for i, width in enumerate(widths) if width >= least]
         if len(near) > 1 and len(self) > 1:
             near = self._exactly_largest(near, near, [last[i] + 1 for i in near])
-        return np.array(near)
+        return near
+
+    def widest_below(
+        self, images: LiftedAngles, offset: Angle | Gap
+    ) -> tuple[Sequence[int] | Indices, Sequence[int] | Indices]:
+        """Return `images.last_below(offset)` and the `largest_gaps` of that, in this sequence.
+
+        A stage of phase I: between few entries arrays would cost more than the answers.
+        """
+        if self._few is None or images._few is None:
+            last = images.last_below(offset)
+            return last, self.largest_gaps(last)
+        width, error = images._filter_of(offset)
+        below = images._last_below_few(images._few, offset, width, images._margin + error)
+        return below, self._largest_few(self._few, below)
 
     def widest(self, starts: Indices, ends: Indices) -> Indices:
         """Return every place p for which a_{ends[p]} - a_{starts[p]} is largest, in order.
@@ -198,11 +212,6 @@ class LiftedAngles:
         All indices are in [0, 2 m].
         """
         return self._largest(self._shadow[ends] - self._shadow[starts], starts, ends)
-
-    @property
-    def _width_margin(self) -> float:
-        """How far below the largest a float width may be: each is within 2 error + 2**-50."""
-        return 4 * self.error + 2.0**-48
 
     def _largest(self, widths: FloatArray, starts: Indices, ends: Indices) -> Indices:
         (near,) = np.nonzero(widths >= widths.max() - self._width_margin)

@@ -217,12 +217,13 @@ class Preimages:
 
     def _widest(self, limit: Angle | Gap) -> Preimage:
         transfer = self.transfer
-        last = transfer.lifted_values.last_below(limit)
-        widest = transfer.lifted_breaks.largest_gaps(last)
+        last, widest = transfer.lifted_breaks.widest_below(transfer.lifted_values, limit)
         first = self._narrowest_image(widest, last)
         return Preimage(transfer, len(self._found) + 1, first, int(last[first]), len(widest))
 
-    def _narrowest_image(self, widest: Indices, last: Indices) -> int:
+    def _narrowest_image(
+        self, widest: Sequence[int] | Indices, last: Sequence[int] | Indices
+    ) -> int:
         """Return the first of the widest arcs whose image is narrowest."""
         if len(widest) == 1:
             return int(widest[0])

@@ -34,13 +34,20 @@ SQUARE = Part([(0, 0), (1, 0), (1, 1), (0, 1)], name="square")
 @pytest.fixture
 def planner_that_lets_ties_fit(monkeypatch):
     """A planner that takes <= for <, as one that rounds does where a tie is exact."""
-    strictly_below = LiftedAngles.last_below
+    strictly_below, strictly_widest = LiftedAngles.last_below, LiftedAngles.widest_below
+
+    def a_bit_more(offset):
+        return (offset.angle if isinstance(offset, Gap) else offset) + Angle(0, (10**60, 1))
+
     monkeypatch.setattr(
         LiftedAngles,
         "last_below",
-        lambda self, offset: strictly_below(
-            self, (offset.angle if isinstance(offset, Gap) else offset) + Angle(0, (10**60, 1))
-        ),
+        lambda self, offset: strictly_below(self, a_bit_more(offset)),
+    )
+    monkeypatch.setattr(
+        LiftedAngles,
+        "widest_below",
+        lambda self, images, offset: strictly_widest(self, images, a_bit_more(offset)),
     )
 
 

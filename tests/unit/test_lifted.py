@@ -84,6 +84,17 @@ def test_both_roads_agree_with_the_double_loop(question):
     assert filtered.exact_decisions == by_arrays[0].exact_decisions <= forced.exact_decisions
 
 
+@given(questions(), st.booleans(), st.booleans())
+def test_a_stage_asks_both_questions_at_once(question, by_arrays, everything):
+    entries, period, offset = question
+    error = EVERYTHING if everything else None
+    images = lifted(entries, period, error, by_arrays=by_arrays)
+    breaks = lifted(entries, period, error)
+    last, widest = breaks.widest_below(images, offset)
+    assert list(last) == last_below(entries, period, offset)
+    assert list(widest) == largest_gaps(entries, period, list(last))
+
+
 @given(questions(), st.integers(0, 30), st.integers(1, 30), st.booleans())
 def test_a_gap_does_what_its_angle_does(question, start, steps, by_arrays):
     entries, period, _ = question
