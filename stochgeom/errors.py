@@ -56,6 +56,10 @@ class NotRationalError(InputError):
     """An exact rational answer was asked for where the value is irrational."""
 
 
+class MixedFieldsError(NumberError):
+    """Irrational numbers of two different algebraic fields meet."""
+
+
 class PrecisionLimitError(StochgeomError, ArithmeticError):
     """A certified answer needs more bits than the cap allows."""
 

@@ -14,8 +14,11 @@ from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from stochgeom.errors import InvalidPartError
+from stochgeom.exact.algebraic import Algebraic
+from stochgeom.exact.algebraic_directions import unity_direction
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.fields import RealField, quadratic_field, regular_polygon_field
 from stochgeom.exact.scalars import common_denominator
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.squeeze import squeeze_function
@@ -151,7 +154,7 @@ SPECIAL = [
 """Corners of the input space: squares, shared squeeze functions, hidden symmetry, collinearity."""
 
 
-# --- made of the above ---------------------------------------------------------------------------
+# --- made of the above --------------------------------------------------------------------------
 
 NEAR = [(dx, dy) for dx in range(-4, 5) for dy in range(-4, 5)]
 
@@ -240,7 +243,7 @@ mixtures = st.sampled_from([(a, b) for a in (0, 1, 2, 3, 10**6, 10**30) for b in
 """Weights of the two ends of a range: an angle strictly above the lower one, at most the upper."""
 
 
-# --- numbers and sequences at the limits ---------------------------------------------------------
+# --- numbers and sequences at the limits --------------------------------------------------------
 
 
 def signed(least: int, most: int) -> st.SearchStrategy[int]:
@@ -339,7 +342,7 @@ def pushable_parts(draw: st.DrawFn) -> Part:
     return Part(part.vertices, (x, y))
 
 
-# --- centres of mass -----------------------------------------------------------------------------
+# --- centres of mass ----------------------------------------------------------------------------
 
 
 @st.composite
@@ -396,7 +399,7 @@ def _is_inside(corners: tuple[tuple[mpq, mpq], ...], x: int, y: int) -> bool:
     )
 
 
-# --- priors --------------------------------------------------------------------------------------
+# --- priors -------------------------------------------------------------------------------------
 
 grid_degrees = st.integers(0, 23).map(lambda k: Fraction(15 * k))
 """Orientations on a grid of 15 degrees, so that windows often begin or end on one."""
@@ -433,3 +436,53 @@ def circle_points(draw: st.DrawFn) -> list[tuple[Angle, Fraction]]:
     places += [place + TINY for place in places if draw(st.booleans())]
     counts = [draw(st.integers(1, 3)) for _ in places]
     return [(p, Fraction(count, sum(counts))) for p, count in zip(places, counts, strict=True)]
+
+
+# --- over real algebraic fields -------------------------------------------------------------------
+
+FIELDS = [quadratic_field(2), quadratic_field(3), quadratic_field(6)] + [
+    regular_polygon_field(n) for n in (5, 7, 9, 16, 20)
+]
+"""Fields with 8, 12, 4, 20, 28, 36, 16 and 20 roots of unity beside i, with and without s."""
+
+fields = st.sampled_from(FIELDS)
+
+
+@st.composite
+def field_numbers(draw: st.DrawFn, field: RealField) -> Algebraic:
+    """Numbers a + b s with few small coefficients, often pure, rational or zero."""
+    row = st.lists(st.integers(-2, 2), min_size=1, max_size=min(3, field.degree))
+    a = draw(st.one_of(row, st.just([0])))
+    b = draw(st.one_of(st.none(), row)) if field.square is not None else None
+    return Algebraic(field, a, b)
+
+
+@st.composite
+def field_angles(draw: st.DrawFn, field: RealField) -> Angle:
+    """Angles over a field: directions, rational ones, roots of unity, rational turns, sums."""
+    direction = draw(
+        st.one_of(
+            st.tuples(field_numbers(field), field_numbers(field)),
+            directions,
+            st.integers(0, 2 * field.unity - 1).map(lambda k: unity_direction(field, k)),
+        ).filter(lambda z: z[0] != 0 or z[1] != 0)
+    )
+    order = 2 * field.unity
+    turns = st.one_of(
+        st.integers(-2, 2).map(Fraction),
+        st.integers(-order, order).map(lambda k: Fraction(k, order)),
+        st.just(Fraction(71, 360)),
+    )
+    return Angle(draw(turns), direction)
+
+
+@st.composite
+def field_parts(draw: st.DrawFn) -> Part:
+    """Regular polygons with some vertices moved in or out, not always convex any more."""
+    n = draw(st.sampled_from([5, 6, 7, 8, 9, 12]))
+    vertices = list(Part.regular(n).vertices)
+    for k in draw(st.sets(st.integers(0, n - 1), max_size=3)):
+        share = draw(st.sampled_from([Fraction(9, 10), Fraction(1, 2), Fraction(11, 10)]))
+        x, y = vertices[k]
+        vertices[k] = x * mpq(share), y * mpq(share)
+    return _part_or_reject(vertices)

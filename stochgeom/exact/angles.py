@@ -12,17 +12,20 @@ Why that is unique: a direction over Q whose argument is a rational multiple of 
 of an eighth of a turn (the roots of unity of Q(i), and their square roots up to scale). Two
 angles of the first kind are compared by turns, half plane and cross product; a difference whose
 8 t is not whole is never zero, so ball arithmetic decides its sign.
+
+Directions over a real algebraic field: see `stochgeom.exact.algebraic_directions`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from functools import total_ordering
 from typing import TYPE_CHECKING, Any, Final, final
 
 from gmpy2 import divexact, gcd, mpq, mpz
 
 from stochgeom.errors import InputError, InvalidAngleError, NumberLimitError
+from stochgeom.exact.algebraic import is_algebraic
+from stochgeom.exact.algebraic_directions import algebraic_parts
 from stochgeom.exact.balls import (
     Ball,
     argument_ball,
@@ -33,15 +36,10 @@ from stochgeom.exact.balls import (
     sign_by_refinement,
 )
 from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
-from stochgeom.exact.eighths import eighths_of, fold, octant_of, turn_eighths
+from stochgeom.exact.eighths import divide_by_eighths, eighths_of, fold
 from stochgeom.exact.predicates import compare_arguments
-from stochgeom.exact.scalars import (
-    RationalLike,
-    common_denominator,
-    integer_literal,
-    rational,
-    rational_text,
-)
+from stochgeom.exact.scalars import RationalLike, integer_literal, is_pair, rational, rational_text
+from stochgeom.exact.surds import ScalarLike, exact_scalar
 
 if TYPE_CHECKING:
     import sympy
@@ -61,8 +59,9 @@ class Angle:
     ----------
     turn_part : rational, default 0
         t, in full turns.
-    direction : pair of rationals, default (1, 0)
-        (x, y), not both zero; only the direction matters, not the length.
+    direction : pair of exact numbers, default (1, 0)
+        (x, y), not both zero; only the direction matters, not the length. Rational numbers, or
+        numbers of one real field such as ``"sqrt(2)"``.
 
     Notes
     -----
@@ -81,22 +80,21 @@ class Angle:
 
     __slots__ = ("_t", "_x", "_y")
     _t: Any  # int when whole, else mpq
-    _x: Any  # mpz
-    _y: Any  # mpz
+    _x: Any  # mpz, or Algebraic
+    _y: Any  # the same
 
     def __init__(
         self,
         turn_part: RationalLike = 0,
-        direction: tuple[RationalLike, RationalLike] = (1, 0),
+        direction: tuple[ScalarLike, ScalarLike] = (1, 0),
     ) -> None:
         t = rational(turn_part, where="turn part of an angle")
-        if not _is_pair(direction):
+        if not is_pair(direction):
             raise InvalidAngleError(f"direction {direction!r}; accepted: a pair of numbers")
-        x, y = (rational(value, where="direction of an angle") for value in direction)
+        x, y = (exact_scalar(value, where="direction of an angle") for value in direction)
         if x == 0 and y == 0:
             raise InvalidAngleError("direction (0, 0) has no angle; accepted: any other vector")
-        scale = common_denominator([x, y])
-        _fill(self, t, (x * scale).numerator, (y * scale).numerator)
+        _fill(self, t, x, y)
 
     # --- makers ----------------------------------------------------------------------------------
 
@@ -125,8 +123,8 @@ class Angle:
     @classmethod
     def between(
         cls,
-        first: tuple[RationalLike, RationalLike],
-        second: tuple[RationalLike, RationalLike],
+        first: tuple[ScalarLike, ScalarLike],
+        second: tuple[ScalarLike, ScalarLike],
     ) -> Angle:
         """Return the counter-clockwise angle in [0, 360) degrees from one vector to another.
 
@@ -145,8 +143,8 @@ class Angle:
         return self._t if type(self._t) is not int else mpz(self._t)
 
     @property
-    def direction(self) -> tuple[mpz, mpz]:
-        """The (x, y) of the canonical form: primitive integers."""
+    def direction(self) -> tuple[Any, Any]:
+        """The (x, y) of the canonical form: primitive integers, or numbers of a field."""
         return self._x, self._y
 
     @property
@@ -158,6 +156,8 @@ class Angle:
         >>> Angle(1, (1, 1)).rational_turns, Angle(0, (2, 1)).rational_turns
         (mpq(9,8), None)
         """
+        if type(self._x) is not _MPZ:
+            return None  # directions over a field that are rational turns have become those
         eighths = eighths_of(self._x, self._y)
         return None if eighths is None else self._t + mpq(eighths, 8)
 
@@ -221,7 +221,8 @@ class Angle:
             return 2 * sympy.pi * sympy.Rational(int(exact.numerator), int(exact.denominator))
         turns = mpq(self._t) + (1 if self._y < 0 else 0)  # sympy's atan2 is in (-pi, pi]
         whole = sympy.Rational(int(turns.numerator), int(turns.denominator))
-        return 2 * sympy.pi * whole + sympy.atan2(int(self._y), int(self._x))
+        x, y = (v.to_sympy() if is_algebraic(v) else int(v) for v in (self._x, self._y))
+        return 2 * sympy.pi * whole + sympy.atan2(y, x)
 
     # --- arithmetic ------------------------------------------------------------------------------
 
@@ -271,7 +272,8 @@ class Angle:
         """Return (n, rest) with self = n period + rest and 0 <= rest < period."""
         share = _EIGHTHS.get(period)
         if share is not None and type(self._t) is int:
-            return self._divmod_eighths(share)
+            count, x, y = divide_by_eighths(self._t, self._x, self._y, share)
+            return count, make_angle(0, x, y)
         if period <= ZERO:
             raise InputError(f"period {period}; accepted: positive angles")
         count = floor_estimate(self.ball, period.ball, int(abs(self._t)).bit_length())
@@ -282,13 +284,6 @@ class Angle:
         while rest >= period:
             count, rest = count + 1, rest - period
         return count, rest
-
-    def _divmod_eighths(self, share: int) -> tuple[int, Angle]:
-        """Divide a rational direction by 1, 2, 4 or 8 eighths of a turn."""
-        octant = octant_of(self._x, self._y)
-        count = (8 * self._t + octant) // share
-        x, y = turn_eighths(self._x, self._y, -(octant - octant % share) % 8)
-        return count, make_angle(0, x, y)
 
     def __floordiv__(self, period: Angle) -> int:
         return divmod(self, period)[0]
@@ -305,9 +300,15 @@ class Angle:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Angle):
             return NotImplemented
-        return bool(self._x == other._x and self._y == other._y and self._t == other._t)
+        same = bool(self._x == other._x and self._y == other._y and self._t == other._t)
+        if same or (type(self._x) is _MPZ and type(other._x) is _MPZ):
+            return same
+        return not self - other
 
     def __hash__(self) -> int:
+        # An angle over a field may equal one over Q whose turns are not whole: the value is common.
+        if type(self._x) is not _MPZ or (self._y and type(self._t) is not int):
+            return hash(self.turns(12))
         return hash((self._t, self._x, self._y))
 
     def __lt__(self, other: Angle) -> bool:
@@ -349,6 +350,8 @@ class Angle:
 
     def __repr__(self) -> str:
         t = integer_literal(self._t) if type(self._t) is int else repr(rational_text(self._t))
+        if type(self._x) is not _MPZ:
+            return f"Angle({t}, ({self._x!r}, {self._y!r}))"
         return f"Angle({t}, ({integer_literal(self._x)}, {integer_literal(self._y)}))"
 
     def __str__(self) -> str:
@@ -361,7 +364,7 @@ class Angle:
 
 
 def make_angle(t: Any, x: Any, y: Any) -> Angle:
-    """Return the canonical angle of exact parts (t int or mpq; x, y integers, not both 0)."""
+    """Return the canonical angle of exact parts (t int or mpq; x, y exact, not both 0)."""
     angle = object.__new__(Angle)
     _fill(angle, t, x, y)
     return angle
@@ -372,20 +375,20 @@ _set_t, _set_x, _set_y = (vars(Angle)[name].__set__ for name in Angle.__slots__)
 
 
 def _fill(angle: Angle, t: Any, x: Any, y: Any) -> None:
-    if type(t) is not int:
-        t, x, y = fold(t, x, y)
-    common = gcd(x, y)
-    if common != 1:
-        x, y = divexact(x, common), divexact(y, common)
-    elif type(x) is not _MPZ or type(y) is not _MPZ:
-        x, y = mpz(x), mpz(y)
+    if type(x) is not _MPZ or type(y) is not _MPZ:
+        if type(x) is int and type(y) is int:
+            x, y = mpz(x), mpz(y)
+        else:
+            t, x, y = algebraic_parts(t, x, y)
+    if type(x) is _MPZ:
+        if type(t) is not int:
+            t, x, y = fold(t, x, y)
+        common = gcd(x, y)
+        if common != 1:
+            x, y = divexact(x, common), divexact(y, common)
     _set_t(angle, t)
     _set_x(angle, x)
     _set_y(angle, y)
-
-
-def _is_pair(value: object) -> bool:
-    return isinstance(value, Collection) and not isinstance(value, str) and len(value) == 2
 
 
 ZERO: Final = Angle(0, (1, 0))

@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from typing import Any, Final, TypeAlias
 
 import flint
-from gmpy2 import mpq
+from gmpy2 import mpq, mpz
 
 from stochgeom.errors import NumberLimitError, PrecisionLimitError
 
@@ -25,6 +25,7 @@ START_BITS: Final = 64
 MAX_BITS: Final = 1 << 22
 """No certified question is pursued beyond this precision."""
 
+_INTEGERS: Final = (int, type(mpz()))
 _LOCK = threading.RLock()
 
 
@@ -54,14 +55,20 @@ def rational_ball(value: mpq | int) -> Ball:
     return flint.arb(numerator) if denominator == 1 else flint.arb(numerator) / denominator
 
 
+def number_ball(value: Any) -> Ball:
+    """Enclose an exact number: a rational one, or one with a ``ball()`` of its own."""
+    return value.ball() if hasattr(value, "ball") else rational_ball(value)
+
+
 def full_turn_ball() -> Ball:
     """Enclose 2 pi."""
     return 2 * flint.arb.pi()
 
 
 def argument_ball(x: Any, y: Any) -> Ball:
-    """Enclose arg(x + i y) / (2 pi), a number of turns in [0, 1)."""
-    ball = flint.arb.atan2(flint.arb(int(y)), flint.arb(int(x))) / full_turn_ball()
+    """Enclose arg(x + i y) / (2 pi), turns in [0, 1), of exact numbers."""
+    up, right = (flint.arb(int(v)) if isinstance(v, _INTEGERS) else number_ball(v) for v in (y, x))
+    ball = flint.arb.atan2(up, right) / full_turn_ball()
     return ball + 1 if y < 0 else ball
 
 
@@ -90,6 +97,13 @@ def sign_by_refinement(enclose: Callable[[], Ball], start: int = START_BITS) -> 
             return sign
         bits *= 2
     raise PrecisionLimitError(f"a sign is still undecided at {MAX_BITS} bits")
+
+
+def exact_value(end: Ball) -> mpq:
+    """Return an exact ball, such as an end of another one, as a rational number."""
+    mantissa, exponent = end.man_exp()
+    m, e = mpz(int(mantissa)), int(exponent)
+    return mpq(m << e) if e >= 0 else mpq(m, mpz(1) << -e)
 
 
 def certified_float(enclose: Callable[[], Ball]) -> float:

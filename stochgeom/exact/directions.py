@@ -3,8 +3,9 @@
 A plan's actions may be any angle of an interval; people want one near its middle, machines want
 one of few digits. Nothing here decides: every angle returned lies inside the interval by exact
 comparison. Between rational directions, and between rational numbers of turns, all of it is
-integer arithmetic, so it is the same on every machine; between one of either kind, or sums of
-both, ball arithmetic bounds the interval, and the answer is a rational number of turns.
+integer arithmetic, so it is the same on every machine; between one of either kind, sums of both,
+or directions over a field, ball arithmetic bounds the interval, and the answer is a rational number
+of turns.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ from __future__ import annotations
 from gmpy2 import isqrt, mpq, mpz
 
 from stochgeom.errors import InvalidArcError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle, make_angle
-from stochgeom.exact.balls import START_BITS, Ball, rational_ball, working_precision
+from stochgeom.exact.balls import START_BITS, exact_value, rational_ball, working_precision
 from stochgeom.exact.predicates import half_plane
 
 _BITS = 16  # halves are right to about one part in 2**_BITS
@@ -170,7 +172,10 @@ def _width(low: Angle, high: Angle) -> Angle:
 
 def _are_directions(*angles: Angle) -> bool:
     """Tell whether all angles are whole turns and a rational direction."""
-    return all(angle.turn_part.denominator == 1 for angle in angles)
+    return all(
+        angle.turn_part.denominator == 1 and not is_algebraic(angle.direction[0])
+        for angle in angles
+    )
 
 
 def _half(width: Angle) -> Angle:
@@ -199,8 +204,8 @@ def _simplest_turns(low: Angle, high: Angle, first: mpq, last: mpq) -> Angle:
     while True:
         with working_precision(bits):
             ball, way = low.ball(), (high - low).ball()
-            a = _dyadic((ball + way * rational_ball(first)).upper())
-            b = _dyadic((ball + way * rational_ball(last)).lower())
+            a = exact_value((ball + way * rational_ball(first)).upper())
+            b = exact_value((ball + way * rational_ball(last)).lower())
         if a < b:
             angle = Angle.from_turns(_simplest_rational(a, b))
             if low < angle < high:
@@ -212,10 +217,3 @@ def _simplest_rational(low: mpq, high: mpq) -> mpq:
     """Return the simplest fraction of an interval of any sign."""
     shift = low.numerator // low.denominator
     return simplest_fraction(low - shift, high - shift) + shift
-
-
-def _dyadic(end: Ball) -> mpq:
-    """Return an exact ball as a rational number."""
-    mantissa, exponent = end.man_exp()
-    m, e = mpz(int(mantissa)), int(exponent)
-    return mpq(m << e) if e >= 0 else mpq(m, mpz(1) << -e)

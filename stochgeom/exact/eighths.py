@@ -42,6 +42,18 @@ def turn_eighths(x: Any, y: Any, eighths: int) -> tuple[Any, Any]:
     return x, y
 
 
+def divide_by_eighths(t: int, x: Any, y: Any, share: int) -> tuple[int, Any, Any]:
+    """Return the quotient by 1, 2, 4 or 8 eighths of a turn, and the direction that is left.
+
+    Examples
+    --------
+    >>> divide_by_eighths(1, 0, -1, 4)
+    (3, 0, 1)
+    """
+    place = octant_of(x, y)
+    return (8 * t + place) // share, *turn_eighths(x, y, -(place - place % share) % 8)
+
+
 def octant(x: Any, y: Any) -> tuple[int, Any, Any]:
     """Return k and the direction turned back by k eighths so that its arg is in [0, 45)."""
     k = 0

@@ -14,7 +14,9 @@ float64 sum is looked at, and believed if it exceeds its proven error.) The test
     that an enclosure identifies exactly, and the form is zero iff the turns cancel.
 
 If the form is not zero, more bits decide. Directions are never raised to a power: a 20-bit
-direction to the power 10**7 would need 186 Mbit.
+direction to the power 10**7 would need 186 Mbit. Over a real algebraic field there is no coprime
+base at hand: there the product is expanded, within a limit of size
+(`stochgeom.exact.expanded_forms`).
 """
 
 from __future__ import annotations
@@ -22,9 +24,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Final
 
-from gmpy2 import mpq, mpz
+from gmpy2 import mpq
 
 from stochgeom.errors import NumberLimitError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import (
     MAX_BITS,
@@ -36,12 +39,13 @@ from stochgeom.exact.balls import (
     sign_by_refinement,
     working_precision,
 )
+from stochgeom.exact.expanded_forms import rational_turns_over_field
 from stochgeom.exact.gaussian import Gaussian, coprime_base, exponent
 from stochgeom.exact.predicates import sign
 from stochgeom.exact.scalars import RationalLike, common_denominator, rational
 from stochgeom.exact.shadows import TWO_PI, shadow, shadow_error
 
-_Directions = dict[tuple[mpz, mpz], mpq]
+_Directions = dict[tuple[Any, Any], mpq]
 
 _LEAST: Final = 2.0**-900
 _MOST: Final = 2.0**900
@@ -66,6 +70,9 @@ def sign_of_form(turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]
     ------
     PrecisionLimitError
         If a form that is not zero is still undecided at `stochgeom.exact.balls.MAX_BITS`.
+    NumberLimitError
+        If an undecided form over a field would expand to more than
+        `stochgeom.exact.expanded_forms.MAX_EXPANDED_BITS`.
 
     Examples
     --------
@@ -91,7 +98,9 @@ def sign_of_form(turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]
             total += rational_ball(q) * argument_ball(x, y)
         return total
 
-    for bits in (START_BITS, 2 * START_BITS):
+    # An expanded product is dearer than a coprime base, and may be too large: more bits first.
+    tries = 7 if any(is_algebraic(x) for x, _ in directions) else 2
+    for bits in (START_BITS << k for k in range(tries)):
         with working_precision(bits):
             found = ball_sign(enclose())
         if found is not None:
@@ -99,7 +108,7 @@ def sign_of_form(turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]
     # One direction that is no eighth of a turn has an irrational number of turns: not zero.
     if len(directions) > 1 and _is_zero(constant, directions):
         return 0
-    return sign_by_refinement(enclose, 4 * START_BITS)
+    return sign_by_refinement(enclose, START_BITS << tries)
 
 
 def _filtered(turns: mpq, terms: list[tuple[mpq, Angle]]) -> int:
@@ -165,6 +174,8 @@ def _is_zero(constant: mpq, directions: _Directions) -> bool:
 
 def _rational_turns(directions: _Directions) -> mpq | None:
     """Return sum of q arg(z) in turns if it is rational, else None."""
+    if any(is_algebraic(x) for x, _ in directions):
+        return rational_turns_over_field(directions)
     denominator = common_denominator(list(directions.values()))
     powers = {Gaussian(x, y): int((q * denominator).numerator) for (x, y), q in directions.items()}
     both = [number for z in powers for number in (z, z.conjugate())]

@@ -6,8 +6,10 @@ from typing import Any, Final
 
 from gmpy2 import isqrt, mpq, mpz
 
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle, make_angle
-from stochgeom.exact.directions import simplest_between
+from stochgeom.exact.balls import START_BITS, exact_value, working_precision
+from stochgeom.exact.directions import simplest_between, simplest_fraction
 
 HALF_BITS: Final = 20
 """A half that is not exact is within a 2**-20th of itself."""
@@ -20,6 +22,7 @@ def near_half(angle: Angle) -> tuple[Angle, bool]:
     length n of (x, y) is whole, as (n + x, y) has half the argument. Otherwise n is enclosed
     between two whole numbers, at a scale of 2**20 or more: the slope y / (n + x), and with it
     the half, is within a 2**-20th of the truth, and the simplest direction of that range is taken.
+    Of an angle over a field, a rational number of turns that close is taken.
 
     Examples
     --------
@@ -33,6 +36,8 @@ def near_half(angle: Angle) -> tuple[Angle, bool]:
     if turns is not None:
         return Angle.from_turns(turns / 2), True
     x, y = angle.direction
+    if is_algebraic(x):
+        return _near_half_turns(angle), False
     start = Angle.from_turns(mpq(angle.turn_part) / 2)
     square = x * x + y * y
     n = isqrt(square)
@@ -49,3 +54,17 @@ def _half_direction(n: mpz, x: Any, y: Any) -> Angle:
     if x < 0:
         return make_angle(0, y, n - x)
     return make_angle(0, n + x, y) if y > 0 else make_angle(0, -n - x, -y)
+
+
+def _near_half_turns(angle: Angle) -> Angle:
+    """Return a rational number of turns within a 2**-20th of half of a positive angle."""
+    bits = START_BITS
+    while True:
+        with working_precision(bits):
+            ball = angle.ball() / 2
+            if ball.rel_accuracy_bits() > HALF_BITS + 2:
+                turns = exact_value(ball.mid())
+                break
+        bits *= 2
+    least = turns - turns / 2 ** (HALF_BITS + 2)
+    return Angle.from_turns(simplest_fraction(least, turns + turns / 2 ** (HALF_BITS + 2)))

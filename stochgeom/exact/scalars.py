@@ -190,6 +190,20 @@ def _require_finite(value: Any, where: str | None) -> None:
         raise NumberError(f"{value!r} is not a finite float", where=where)
 
 
+def is_pair(value: object) -> bool:
+    """Tell whether a value holds two things in order, as (x, y) does.
+
+    Examples
+    --------
+    >>> is_pair([1, 2]), is_pair("12"), is_pair({1, 2})
+    (True, False, False)
+    """
+    unordered_or_text = (str, bytes, set, frozenset, dict)
+    return (
+        not isinstance(value, unordered_or_text) and hasattr(value, "__len__") and len(value) == 2
+    )
+
+
 def rational_text(value: mpq | mpz | int) -> str:
     """Return ``"p"`` or ``"p/q"`` in lowest terms: the notation of every file we write.
 

@@ -2,8 +2,8 @@
 
 For the angle 2 pi t + arg(x + i y):
 
-- the components (x, y) are rounded to float64, or cut to their leading 60 bits together: the
-  argument moves by at most 2**-52;
+- the components (x, y) are rounded to float64, or cut to their leading 60 bits together, or, for
+  numbers of a field, within one unit in the last place: the argument moves by at most 2**-52;
 - arctan2 is taken as within 4 units in the last place (a test checks numpy's and Python's against
   Arb on every platform): at most 4 ulp(pi) = 2**-49;
 - adding 2 pi for the lower half plane, 2 pi t, and three roundings of values below
@@ -16,16 +16,19 @@ zero, (2 + |t|) 2**-47 is the bound used.
 from __future__ import annotations
 
 from math import atan2, pi
-from typing import Final
+from typing import Any, Final
 
 from gmpy2 import mpq, mpz
 
 from stochgeom.errors import NumberLimitError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
 
 TWO_PI: Final = 2.0 * pi
 ERROR_PER_TURN: Final = 2.0**-47
 KEPT_BITS: Final = 60
+
+_LEAST: Final = 2.0**-500
 
 
 def shadow(angle: Angle) -> float:
@@ -42,14 +45,33 @@ def shadow(angle: Angle) -> float:
     1.25
     """
     x, y = angle.direction
-    shift = max(x.bit_length(), y.bit_length()) - KEPT_BITS
-    if shift > 0:  # one shift for both components: float(10**400) would overflow
-        x, y = x >> shift, y >> shift
-    value = atan2(int(y), int(x))
-    if angle.direction[1] < 0 and value < 0:
+    value = atan2(*float_direction(x, y)[::-1])
+    if value < 0 and y < 0:
         value += TWO_PI
     turns = angle.turn_part
     return value + TWO_PI * _float(turns) if turns else value
+
+
+def float_direction(x: Any, y: Any) -> tuple[float, float]:
+    """Return floats whose argument is within 2**-52 of that of a direction."""
+    if is_algebraic(x) or is_algebraic(y):
+        # Each is within a 2**-52nd of the truth, which moves the argument by half of that.
+        return _scaled_floats(x, y)
+    shift = max(x.bit_length(), y.bit_length()) - KEPT_BITS
+    if shift > 0:  # one shift for both components: float(10**400) would overflow
+        x, y = x >> shift, y >> shift
+    return float(int(x)), float(int(y))
+
+
+def _scaled_floats(x: Any, y: Any) -> tuple[float, float]:
+    try:
+        right, up = float(x), float(y)
+    except (NumberLimitError, OverflowError):
+        scale = mpz(1) << max(x.bit_length(), y.bit_length())
+        return _scaled_floats(x * mpq(1, scale), y * mpq(1, scale))
+    if max(abs(right), abs(up)) < _LEAST:  # an underflow would not be within one unit
+        return _scaled_floats(x * mpz(2) ** 500, y * mpz(2) ** 500)
+    return right, up
 
 
 def shadow_error(angle: Angle) -> float:

@@ -17,6 +17,7 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from stochgeom.errors import FloatRefusedError, NumberError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.predicates import (
     EXACT_FLOAT_LIMIT,
@@ -26,7 +27,7 @@ from stochgeom.exact.predicates import (
     fits_float,
     half_planes,
 )
-from stochgeom.exact.shadows import ERROR_PER_TURN, KEPT_BITS, TWO_PI
+from stochgeom.exact.shadows import ERROR_PER_TURN, TWO_PI, float_direction
 
 FloatArray = NDArray[np.float64]
 
@@ -38,7 +39,7 @@ class AngleVector(Sequence[Angle]):
     ----------
     turns : int64 array, or object array of rationals
         The turn parts.
-    x, y : int64 arrays, or object arrays of integers
+    x, y : int64 arrays, or object arrays of integers or of numbers of one field
         The directions, none of them (0, 0).
 
     Raises
@@ -94,7 +95,10 @@ class AngleVector(Sequence[Angle]):
             return cached
         turn = self.turn_parts[key]
         t = int(turn) if self.turn_parts.dtype != object or turn.denominator == 1 else mpq(turn)
-        angle = self._made[key] = make_angle(t, int(self.x[key]), int(self.y[key]))
+        x, y = self.x[key], self.y[key]
+        if not (is_algebraic(x) or is_algebraic(y)):
+            x, y = int(x), int(y)
+        angle = self._made[key] = make_angle(t, x, y)
         return angle
 
     def __iter__(self) -> Iterator[Angle]:
@@ -104,6 +108,11 @@ class AngleVector(Sequence[Angle]):
     def angles(self) -> tuple[Angle, ...]:
         """All entries as canonical angles, made on first use."""
         return tuple(self[k] for k in range(len(self)))
+
+    @property
+    def over_field(self) -> bool:
+        """Whether some of the directions are irrational."""
+        return self.x.dtype == object and any(map(is_algebraic, (*self.x, *self.y)))
 
     def count_at_most(self, theta: Angle) -> int:
         """Return how many entries of an increasing vector are at most theta.  O(log n)."""
@@ -210,7 +219,9 @@ def _exact(array: IntArray) -> IntArray:
 
 
 def _int_array(values: Sequence[Any]) -> IntArray:
-    if all(v.denominator == 1 and -EXACT_FLOAT_LIMIT < v < EXACT_FLOAT_LIMIT for v in values):
+    if not any(is_algebraic(v) for v in values) and all(
+        v.denominator == 1 and -EXACT_FLOAT_LIMIT < v < EXACT_FLOAT_LIMIT for v in values
+    ):
         return np.array([int(v) for v in values], dtype=np.int64)
     array = np.empty(len(values), dtype=object)
     array[:] = values
@@ -229,8 +240,7 @@ def _extremes(array: IntArray) -> tuple[Any, ...]:
 
 def _product(x: IntArray, y: IntArray, ax: Any, ay: Any) -> tuple[IntArray, IntArray]:
     """Multiply the directions by ax + i ay, in int64 where nothing can overflow."""
-    largest = max(abs(ax), abs(ay))
-    if largest <= 1 and fits_float(x, y):
+    if not is_algebraic(ax) and max(abs(ax), abs(ay)) <= 1 and fits_float(x, y):
         ax, ay = int(ax), int(ay)  # entries at most double: 2**54 still fits int64
     else:
         x, y = as_objects(x), as_objects(y)
@@ -249,15 +259,8 @@ def _arguments_below(ax: IntArray, ay: IntArray, bx: IntArray, by: IntArray) -> 
 def _float_directions(x: IntArray, y: IntArray) -> tuple[FloatArray, FloatArray]:
     if x.dtype != object and y.dtype != object:
         return x.astype(np.float64), y.astype(np.float64)
-    # One shift for both components: float(10**400) would overflow.
-    shifts = [
-        max(0, max(int(a).bit_length(), int(b).bit_length()) - KEPT_BITS)
-        for a, b in zip(x, y, strict=True)
-    ]
-    return (
-        np.array([float(int(a) >> s) for a, s in zip(x, shifts, strict=True)]),
-        np.array([float(int(b) >> s) for b, s in zip(y, shifts, strict=True)]),
-    )
+    floats = np.array([float_direction(a, b) for a, b in zip(x.tolist(), y.tolist(), strict=True)])
+    return (floats[:, 0], floats[:, 1]) if len(floats) else (np.empty(0), np.empty(0))
 
 
 def argsort_arguments(x: IntArray, y: IntArray) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:

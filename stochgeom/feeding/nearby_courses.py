@@ -8,15 +8,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Final, final
+from typing import Any, Final, final
 
 from gmpy2 import mpq
 
 from stochgeom.errors import InputError
+from stochgeom.exact.algebraic_directions import exact_direction
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.outer_arcs import TURN, Units, units_around
 from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.exact.surds import Scalar
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.geometry.center_error import CenterError
 from stochgeom.geometry.contact_zones import ContactZones, push_zones, squeeze_zones
@@ -258,7 +260,7 @@ class NearbyCourses:
         return [self.near.on_jaws(direction) for direction in self._final_directions]
 
     @cached_property
-    def final_clearance(self) -> mpq:
+    def final_clearance(self) -> Scalar:
         """The square of the least distance of another point from a jaw in the final orientation.
 
         If epsilon is half of that distance or more, nothing is proven.
@@ -266,8 +268,8 @@ class NearbyCourses:
         return min(map(self.near.least_clearance, self._final_directions))
 
     @property
-    def _final_directions(self) -> list[tuple[int, int]]:
-        return [(self.final + shift).reduced().direction for shift in self.shifts]
+    def _final_directions(self) -> list[tuple[Any, Any]]:
+        return [exact_direction(self.final + shift, self.near.part.field) for shift in self.shifts]
 
 
 def _certain_starts(zones: ContactZones, mouth: Units) -> Units | None:

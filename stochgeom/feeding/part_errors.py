@@ -33,6 +33,7 @@ from typing import Final
 from gmpy2 import mpq
 
 from stochgeom.errors import InputError
+from stochgeom.exact.surds import Scalar, rational_bounds
 from stochgeom.feeding.nearby_courses import NearbyCourses
 from stochgeom.feeding.plans import FeedingPlan
 
@@ -107,7 +108,8 @@ def tolerance_of(plan: FeedingPlan, *, one_orientation: bool = False) -> mpq:
     return best
 
 
-def _power_above(squared: mpq) -> mpq:
+def _power_above(squared: Scalar) -> mpq:
     """Return a power of two above the square root of a positive number, at most its eightfold."""
+    _, squared = rational_bounds(squared)
     exponent = squared.numerator.bit_length() - squared.denominator.bit_length()
     return mpq(2) ** (exponent // 2 + 1)

@@ -25,6 +25,7 @@ from typing import final
 
 from gmpy2 import isqrt, mpq
 
+from stochgeom.exact.surds import rational_bounds
 from stochgeom.geometry.outline import mass_of
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Point, Points
@@ -35,7 +36,7 @@ _BITS = 32  # square roots are right to about one part in 2**_BITS
 @final
 @dataclass(frozen=True, slots=True)
 class _Ring:
-    """Area, number of edges, and sums of upper bounds: L, D, and L D."""
+    """Area, rounded down; number of edges, and sums of upper bounds: L, D, and L D."""
 
     area: mpq
     count: int
@@ -86,7 +87,9 @@ class CenterError:
             return epsilon
         if any(ring.area_change(epsilon) >= ring.area for ring in self._rings):
             return None
-        area = self.part.area - sum(ring.area_change(epsilon) for ring in self._rings)
+        area = rational_bounds(self.part.area)[0] - sum(
+            ring.area_change(epsilon) for ring in self._rings
+        )
         if area <= 0:
             return None
         return mpq(sum(ring.moment_change(epsilon) for ring in self._rings)) / area
@@ -97,12 +100,12 @@ def _ring(vertices: Sequence[Point], center: Point) -> _Ring:
     reaches = [_distance(vertex, center) for vertex in vertices]
     distances = [max(reaches[k - 1], reaches[k]) for k in range(len(vertices))]
     products = [a * b for a, b in zip(lengths, distances, strict=True)]
-    area = mass_of(Points.from_rationals(vertices), ()).area
+    area, _ = rational_bounds(mass_of(Points.from_pairs(vertices), ()).area)
     return _Ring(area, len(vertices), mpq(sum(lengths)), mpq(sum(distances)), mpq(sum(products)))
 
 
 def _distance(a: Point, b: Point) -> mpq:
     """Return an upper bound of a distance."""
-    squared = (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2
+    _, squared = rational_bounds((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2)
     p, q = squared.numerator, squared.denominator
     return mpq(isqrt(p * q << (2 * _BITS)) + 1, q << _BITS) if p else mpq(0)

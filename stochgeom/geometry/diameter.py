@@ -23,19 +23,20 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import NotRationalError, NumberLimitError
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import HALF_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.predicates import IntArray, dot_signs, half_planes, sign
 from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.exact.surds import Scalar, scalar_to_float, scalar_to_sympy
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.calipers import Calipers, rotate_calipers
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.geometry.points import Point, PointLike
+from stochgeom.geometry.sinusoids import squared_height
 
 if TYPE_CHECKING:
     import sympy
@@ -52,11 +53,11 @@ class Sinusoid:
     ----------
     arc : Arc
         The orientations where the piece holds, starting in [0, 180) degrees.
-    chord : (mpq, mpq)
+    chord : pair of exact numbers
         From the vertex on the lower jaw to the one on the upper jaw, in the part's frame.
     phase : Angle
         arg(chord).
-    squared_amplitude : mpq
+    squared_amplitude : exact number
         Squared length of the chord.
     vertices : (int, int)
         Outline numbers of the two vertices, lower first.
@@ -65,7 +66,7 @@ class Sinusoid:
     arc: Arc
     chord: Point
     phase: Angle
-    squared_amplitude: mpq
+    squared_amplitude: Scalar
     vertices: tuple[int, int]
 
 
@@ -213,34 +214,26 @@ class DiameterFunction:
         count = self.transitions.count_at_most(theta % HALF_TURN)
         return count - 1 if count else len(self.transitions) - 1
 
-    def squared(self, theta: Angle) -> mpq:
-        """Return d(theta)**2 exactly, for a rational direction theta.  O(log n).
+    def squared(self, theta: Angle) -> Scalar:
+        """Return d(theta)**2 exactly, for a direction theta over the part's field.  O(log n).
 
         Raises
         ------
         NotRationalError
-            If theta is no rational direction (such as 71 degrees): the value is irrational or
-            beyond what an exact comparison here covers.
+            If theta is no direction over the part's field, such as 71 degrees over Q.
 
         Examples
         --------
         >>> DiameterFunction([(0, 0), (1, 0), (0, 1)]).squared(Angle(0, (1, 1)))
         mpq(1,2)
         """
-        if theta.turn_part.denominator != 1:
-            raise NotRationalError(
-                f"the squared diameter at {theta} is not known to be rational; "
-                "accepted: rational directions"
-            )
-        x, y = theta.direction
-        vx, vy = self._chord(self._piece_at(theta))
-        return (vx * y + vy * x) ** 2 / (x * x + y * y)
+        return squared_height(self._chord(self._piece_at(theta)), theta, "diameter")
 
     def compare(self, first: Angle, second: Angle) -> int:
-        """Return the sign of d(first) - d(second), exactly, at rational directions."""
+        """Return the sign of d(first) - d(second), exactly, as `squared` tells them."""
         return sign(self.squared(first) - self.squared(second))
 
-    def potential(self, theta: Angle, stiffness: RationalLike = 1) -> mpq:
+    def potential(self, theta: Angle, stiffness: RationalLike = 1) -> Scalar:
         """Return the potential k d(theta)**2 / 2 of the spring-loaded gripper.
 
         Thesis App. D.1; Eqs. D.2 and D.3 print the opposite sign, under which the stable
@@ -258,11 +251,8 @@ class DiameterFunction:
         """Chords of all pieces, each component the rounded exact difference."""
         chords = [self._chord(piece) for piece in range(len(self.transitions))]
         try:
-            x, y = (
-                np.array([int(c[k].numerator) / int(c[k].denominator) for c in chords])
-                for k in (0, 1)
-            )
-        except OverflowError:
+            x, y = (np.array([scalar_to_float(c[k]) for c in chords]) for k in (0, 1))
+        except (OverflowError, NumberLimitError):
             raise NumberLimitError(
                 "a chord is too long for a float; accepted: parts below 1e308, or Part.scale"
             ) from None
@@ -296,10 +286,7 @@ class DiameterFunction:
             if not end:
                 continue  # nothing lies before a transition at 0
             sense, piece = (-1, len(self.transitions) - 1) if t == 0 else (1, t - 1)
-            x, y = (
-                sympy.Rational(sense * int(value.numerator), int(value.denominator))
-                for value in self._chord(piece)
-            )
+            x, y = (sense * scalar_to_sympy(value) for value in self._chord(piece))
             formula = x * sympy.sin(symbol) + y * sympy.cos(symbol)
             branches.append((formula, symbol < end.to_sympy()))
         return sympy.Piecewise(*branches)

@@ -19,7 +19,7 @@ from stochgeom.exact.predicates import (
     half_planes,
     orientation,
 )
-from stochgeom.geometry.points import Points
+from stochgeom.geometry.points import Points, homogeneous_point
 
 Indices = NDArray[np.intp]
 
@@ -126,10 +126,8 @@ def hull_edges(hull: ConvexHull) -> tuple[IntArray, IntArray]:
 
 def locate(hull: ConvexHull, point: tuple[Any, Any]) -> int:
     """Return 1 for a point strictly inside the hull, 0 on its boundary, -1 outside.  O(n)."""
-    px, py = point
-    # The point as homogeneous integers beside the hull's own.
-    scale = px.denominator * py.denominator
-    p = ((px * scale).numerator, (py * scale).numerator, scale)
+    # The point as homogeneous numbers beside the hull's own.
+    p = homogeneous_point(*point)
     corners = [(x, y, w * hull.points.scale) for x, y, w in hull.points.homogeneous()]
     turns = {
         int(orientation(corners[k], corners[(k + 1) % len(corners)], p))

@@ -16,13 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Final, TypeAlias, final
+from typing import Any, Final, TypeAlias, final
 
 import flint
 from gmpy2 import mpq
 
-from stochgeom.exact.balls import Ball, argument_ball, rational_ball, working_precision
+from stochgeom.exact.balls import Ball, argument_ball, number_ball, working_precision
 from stochgeom.exact.outer_arcs import BALL_BITS, TURN, Units, units_above, units_below
+from stochgeom.exact.surds import Scalar
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Point
 
@@ -38,7 +39,7 @@ UPPER: Final = 1
 Contact: TypeAlias = "tuple[int, int, int, int]"
 """Start and end in units, number of the point, jaw: where a point may touch a jaw."""
 
-Span: TypeAlias = "tuple[mpq, Ball, Ball]"
+Span: TypeAlias = "tuple[Scalar, Ball, Ball]"
 """Squared length, length, and argument in turns of a vector."""
 
 
@@ -74,7 +75,7 @@ class NearbyParts:
 
     # --- one orientation -------------------------------------------------------------------------
 
-    def on_jaws(self, direction: tuple[int, int]) -> tuple[frozenset[int], frozenset[int]]:
+    def on_jaws(self, direction: tuple[Any, Any]) -> tuple[frozenset[int], frozenset[int]]:
         """Return the points on the lower and the upper jaw, the part turned by arg(direction)."""
         heights = self._heights(direction)
         low, high = (
@@ -83,7 +84,7 @@ class NearbyParts:
         )
         return low, high
 
-    def least_clearance(self, direction: tuple[int, int]) -> mpq:
+    def least_clearance(self, direction: tuple[Any, Any]) -> Scalar:
         """Return the square of the least positive distance of a point from a jaw's line."""
         heights = self._heights(direction)
         low, high = min(heights), max(heights)
@@ -92,7 +93,7 @@ class NearbyParts:
             c * c + s * s
         )
 
-    def _heights(self, direction: tuple[int, int]) -> list[mpq]:
+    def _heights(self, direction: tuple[Any, Any]) -> list[Scalar]:
         """Return the points' heights times the length of the direction."""
         c, s = direction
         return [s * x + c * y for x, y in self.points]
@@ -112,7 +113,7 @@ class NearbyParts:
     # --- all orientations ------------------------------------------------------------------------
 
     @cached_property
-    def _edges(self) -> list[tuple[Point, Point, mpq]]:
+    def _edges(self) -> list[tuple[Point, Point, Scalar]]:
         """For each hull edge its start, its vector and its squared length."""
         edges = []
         for t, k in enumerate(self._ring):
@@ -122,7 +123,7 @@ class NearbyParts:
         return edges
 
     @cached_property
-    def _inner(self) -> list[tuple[int, list[mpq], mpq]]:
+    def _inner(self) -> list[tuple[int, list[Scalar], Scalar]]:
         """Points that are no hull vertices: squared heights above all hull edges, the least."""
         ring = set(self._ring)
         found = []
@@ -132,7 +133,7 @@ class NearbyParts:
                 found.append((k, heights, min(heights)))
         return found
 
-    def _squared_height(self, t: int, k: int) -> mpq:
+    def _squared_height(self, t: int, k: int) -> Scalar:
         """Return the squared height of point k with hull edge t on the lower jaw."""
         (ax, ay), (x, y), squared = self._edges[t]
         px, py = self.points[k]
@@ -160,7 +161,7 @@ class NearbyParts:
                 yield k, {t for t in range(n) if heights[t] <= limit}
 
     @cached_property
-    def center_clearance(self) -> mpq:
+    def center_clearance(self) -> Scalar:
         """The square of the least height of the centre of mass above the jaw, in the hull."""
         px, py = self.part.center_of_mass
         return min(
@@ -208,17 +209,16 @@ class NearbyParts:
 def _span_of(vector: Point) -> Span:
     """Return squared length, length and argument of a vector other than zero."""
     x, y = vector
-    squared, scale = x * x + y * y, x.denominator * y.denominator
-    turns = argument_ball((x * scale).numerator, (y * scale).numerator)
-    return squared, rational_ball(squared).sqrt(), turns
+    squared = x * x + y * y
+    return squared, number_ball(squared).sqrt(), argument_ball(x, y)
 
 
-def arcsine(squared: mpq, length: Ball, c: mpq) -> Ball:
+def arcsine(squared: Scalar, length: Ball, c: mpq) -> Ball:
     """Enclose the arc sine of c / length in turns, or return a quarter turn, which is no less."""
     quarter = flint.arb(1) / 4
     if squared <= c * c:
         return quarter
-    share = (rational_ball(c) / length).asin() / (2 * flint.arb.pi())
+    share = (number_ball(c) / length).asin() / (2 * flint.arb.pi())
     return share if share.is_finite() else quarter
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from gmpy2 import mpq, mpz
@@ -14,7 +15,8 @@ from stochgeom.errors import (
     SelfIntersectionError,
     TooFewVerticesError,
 )
-from stochgeom.exact.predicates import HomogeneousPoint, Turn, orientation
+from stochgeom.exact.algebraic import simplified
+from stochgeom.exact.predicates import HomogeneousPoint, Turn, as_objects, orientation
 from stochgeom.geometry.moments import ring_sums
 from stochgeom.geometry.points import Point, Points
 from stochgeom.geometry.segments import ConflictKind, contains
@@ -59,9 +61,9 @@ def check_outline(points: Points, holes: tuple[Points, ...]) -> None:
 
 def _check_ring(corners: list[HomogeneousPoint], where: str) -> None:
     # Two neighbours differ, so a third distinct corner shows up before long.
-    distinct: set[tuple[mpq, mpq]] = set()
+    distinct: set[Point] = set()
     for x, y, w in corners:
-        distinct.add((mpq(x, w), mpq(y, w)))
+        distinct.add((x * mpq(1, w), y * mpq(1, w)))
         if len(distinct) == 3:
             break
     else:
@@ -128,7 +130,7 @@ def _check_nesting(rings: list[list[HomogeneousPoint]]) -> None:
 class Mass:
     """Area and uniform centroid."""
 
-    area: mpq
+    area: Any
     centroid: Point
 
 
@@ -138,16 +140,16 @@ def mass_of(outline: Points, holes: tuple[Points, ...]) -> Mass:
     for hole in holes:
         hole_area, hole_x, hole_y = _moments(hole)
         area, mx, my = area - hole_area, mx - hole_x, my - hole_y
-    return Mass(area, (mx / area, my / area))
+    return Mass(area, (simplified(mx / area), simplified(my / area)))
 
 
-def _moments(points: Points) -> tuple[mpq, mpq, mpq]:
+def _moments(points: Points) -> tuple[Any, Any, Any]:
     """Return area and first moments of one simple ring, with positive area."""
     if points.w is None:
         scale = points.scale
         if points.x.dtype != object and len(points) >= _LONG:
             return _scaled(*ring_sums(points.x, points.y), scale)
-        xs, ys = ([mpz(v) for v in values.tolist()] for values in (points.x, points.y))
+        xs, ys = (as_objects(values).tolist() for values in (points.x, points.y))
     else:
         pairs = points.pairs()
         xs, ys = [x for x, _ in pairs], [y for _, y in pairs]
@@ -162,11 +164,11 @@ def _moments(points: Points) -> tuple[mpq, mpq, mpq]:
     return _scaled(twice, mx, my, scale)
 
 
-def _scaled(twice: mpq, mx: mpq, my: mpq, scale: mpz) -> tuple[mpq, mpq, mpq]:
+def _scaled(twice: Any, mx: Any, my: Any, scale: mpz) -> tuple[Any, Any, Any]:
     """Return area and first moments from the sums over an outline in units of 1 / scale."""
     sign = -1 if twice < 0 else 1
-    cube = 6 * scale**3
-    return sign * mpq(twice) / (2 * scale**2), sign * mpq(mx) / cube, sign * mpq(my) / cube
+    square, cube = mpq(sign, 2 * scale**2), mpq(sign, 6 * scale**3)
+    return simplified(twice * square), simplified(mx * cube), simplified(my * cube)
 
 
 def _text(point: Point) -> str:

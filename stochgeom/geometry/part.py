@@ -11,10 +11,13 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from stochgeom.errors import InputError, InvalidHoleError, InvalidPartError, NotRationalError
-from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.exact.algebraic import is_algebraic, simplified
+from stochgeom.exact.fields import RealField
+from stochgeom.exact.surds import Scalar, ScalarLike, common_field, exact_scalar
 from stochgeom.geometry.hull import ConvexHull, convex_hull, convex_outline, locate
 from stochgeom.geometry.outline import Mass, check_outline, mass_of, without_repeats
 from stochgeom.geometry.points import Point, PointLike, Points, as_point
+from stochgeom.geometry.regular import regular_polygon
 
 
 @final
@@ -25,7 +28,8 @@ class Part:
     ----------
     vertices : sequence of (x, y), or an (n, 2) integer array
         The outline, in either orientation. Collinear vertices and repeated consecutive vertices
-        are tolerated and kept as given. Numbers are exact: int, Fraction, Decimal, mpq or text.
+        are tolerated and kept as given. Numbers are exact: int, Fraction, Decimal, mpq or text;
+        text may have square roots of one field, such as "1/2*sqrt(3)".
     center_of_mass : (x, y), optional
         Default: the centroid of the outline, less its holes, under uniform density.
     name : str, optional
@@ -67,12 +71,56 @@ class Part:
             None if center_of_mass is None else as_point(center_of_mass, "center of mass")
         )
         self.name = name
+        _ = self.field  # refuses mixed ones
         # A convex outline is recognised in O(n) and needs no search for crossings.
         kept = without_repeats(self._points)
         convex = convex_outline(self._points.take(kept)) if len(kept) > 2 else None
         if convex is None or self._holes:
             check_outline(self._points, self._holes)
         self._convex = None if convex is None else ConvexHull(convex.points, kept[convex.indices])
+
+    @classmethod
+    def regular(cls, n: int, name: str | None = None) -> Part:
+        """Return the regular n-gon, its vertices (cos(2 pi k / n), sin(2 pi k / n)), exactly.
+
+        Parameters
+        ----------
+        n : int
+            3 to `stochgeom.exact.fields.MAX_ORDER`.
+        name : str, optional
+            Default: ``"regular 5-gon"``.
+
+        Raises
+        ------
+        TooFewVerticesError
+            If n is below 3.
+        NumberLimitError
+            If n is above the limit.
+
+        Examples
+        --------
+        >>> hexagon = Part.regular(6)
+        >>> [str(value) for value in hexagon.vertices[1]], str(hexagon.area)
+        (['1/2', '1/2*sqrt(3)'], '3/2*sqrt(3)')
+        """
+        vertices = regular_polygon(n)
+        return cls(vertices, name=f"regular {n}-gon" if name is None else name)
+
+    @cached_property
+    def field(self) -> RealField | None:
+        """The field of the irrational coordinates, None if all are rational.
+
+        Raises
+        ------
+        MixedFieldsError
+            If rings, or the centre of mass, are of different fields.
+        """
+        rings = [("vertices", self._points)]
+        rings += [(f"hole {k}", ring) for k, ring in enumerate(self._holes)]
+        named = [(name, ring.x[0]) for name, ring in rings if ring.over_field]
+        if self._given_center is not None:
+            named += [("center of mass", value) for value in self._given_center]
+        return common_field([value for _, value in named], lambda k: named[k][0])
 
     # --- the outline -----------------------------------------------------------------------------
 
@@ -107,7 +155,7 @@ class Part:
         return mass_of(self._points, self._holes)
 
     @property
-    def area(self) -> mpq:
+    def area(self) -> Scalar:
         """Area of the outline less its holes, positive."""
         return self._mass.area
 
@@ -136,19 +184,19 @@ class Part:
 
     # --- similarity maps -------------------------------------------------------------------------
 
-    def translate(self, dx: RationalLike, dy: RationalLike) -> Part:
+    def translate(self, dx: ScalarLike, dy: ScalarLike) -> Part:
         """Return the part moved by (dx, dy)."""
-        a, b = rational(dx, where="dx"), rational(dy, where="dy")
+        a, b = exact_scalar(dx, where="dx"), exact_scalar(dy, where="dy")
         return self._mapped(lambda x, y: (x + a, y + b))
 
-    def scale(self, factor: RationalLike) -> Part:
+    def scale(self, factor: ScalarLike) -> Part:
         """Return the part scaled about the origin by a positive factor."""
-        k = rational(factor, where="scale factor")
+        k = exact_scalar(factor, where="scale factor")
         if k <= 0:
             raise InputError(f"scale factor {k}; accepted: positive numbers")
         return self._mapped(lambda x, y: (k * x, k * y))
 
-    def rotate(self, direction: tuple[RationalLike, RationalLike]) -> Part:
+    def rotate(self, direction: tuple[ScalarLike, ScalarLike]) -> Part:
         """Return the part turned counter-clockwise about the origin by arg(direction).
 
         The length of the direction must be rational, such as (3, 4): otherwise the turned
@@ -160,16 +208,20 @@ class Part:
         (mpq(3,1), mpq(4,1))
         """
         c, s = as_point(direction, "direction")
-        squared = c * c + s * s
-        if not squared or not gmpy2.is_square(squared.numerator * squared.denominator):
+        squared = simplified(c * c + s * s)
+        if (
+            is_algebraic(squared)
+            or not squared
+            or not gmpy2.is_square(squared.numerator * squared.denominator)
+        ):
             raise NotRationalError(
                 f"direction ({c}, {s}) has the length sqrt({squared}); accepted: directions of "
                 "rational length such as (3, 4), or Part.multiply, which also scales"
             )
         length = mpq(gmpy2.isqrt(squared.numerator), gmpy2.isqrt(squared.denominator))
-        return self.multiply((c / length, s / length))
+        return self.multiply((c * (1 / length), s * (1 / length)))
 
-    def multiply(self, number: tuple[RationalLike, RationalLike]) -> Part:
+    def multiply(self, number: tuple[ScalarLike, ScalarLike]) -> Part:
         """Return the part multiplied by the complex number c + i s: turned and scaled.
 
         Examples
@@ -186,7 +238,7 @@ class Part:
         """Return the mirror image in the x axis."""
         return self._mapped(lambda x, y: (x, -y))
 
-    def _mapped(self, move: Callable[[mpq, mpq], Point]) -> Part:
+    def _mapped(self, move: Callable[[Any, Any], Point]) -> Part:
         def ring(points: Sequence[Point]) -> list[Point]:
             return [move(x, y) for x, y in points]
 
@@ -232,7 +284,9 @@ def _listed(holes: Iterable[Iterable[PointLike]]) -> list[Iterable[PointLike]]:
 def _points_text(points: Iterable[Point]) -> str:
     """Return a literal that reads back exactly: whole numbers as such, fractions as text."""
 
-    def literal(value: mpq) -> str:
+    def literal(value: Scalar) -> str:
+        if is_algebraic(value):
+            return repr(str(value)) if "sqrt" in str(value) else repr(value)
         text = str(value)
         return text if value.denominator == 1 and len(text) <= 4000 else repr(text)
 

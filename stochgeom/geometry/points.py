@@ -16,26 +16,30 @@ from gmpy2 import mpq, mpz
 from numpy.typing import NDArray
 
 from stochgeom.errors import FloatRefusedError, InvalidPartError, NumberError
-from stochgeom.exact.predicates import HomogeneousPoint, IntArray
-from stochgeom.exact.scalars import RationalLike, common_denominator, rational
+from stochgeom.exact.algebraic import Algebraic, is_algebraic, simplified
+from stochgeom.exact.fields import RealField
+from stochgeom.exact.predicates import HomogeneousPoint, IntArray, as_objects
+from stochgeom.exact.scalars import common_denominator, is_pair
+from stochgeom.exact.surds import ScalarLike, common_field, exact_scalar, scalar_to_float
 
-Point: TypeAlias = "tuple[mpq, mpq]"
-"""An exact point of the plane."""
+Point: TypeAlias = "tuple[Any, Any]"
+"""An exact point of the plane: rational coordinates, or irrational ones of one field."""
 
-PointLike: TypeAlias = "Sequence[RationalLike]"
-"""A pair of anything `rational` takes."""
+PointLike: TypeAlias = "Sequence[ScalarLike]"
+"""A pair of anything `exact_scalar` takes."""
 
 _INT64_LIMIT: Final = 2**52
 """Below this the difference of two coordinates is exact in float64 as well as in int64."""
-
-_NO_PAIRS: Final = (str, bytes, set, frozenset, dict)
-"""May hold two things, and are no (x, y)."""
 
 
 @final
 @dataclass(frozen=True, slots=True, eq=False)
 class Points:
-    """The points (x_k / w_k, y_k / w_k), or (x_k / scale, y_k / scale) where w is None."""
+    """The points (x_k / w_k, y_k / w_k), or (x_k / scale, y_k / scale) where w is None.
+
+    Irrational coordinates are numbers of one field, with denominators of their own: then w is None
+    and the scale 1.
+    """
 
     x: IntArray
     y: IntArray
@@ -62,7 +66,15 @@ class Points:
                 return cls._from_array(pairs, what)
             pairs = pairs.tolist()
         values = [_pair(pair, f"{what} {k}") for k, pair in enumerate(_listed(pairs, what))]
-        return cls.from_rationals(values)
+        flat = [number for pair in values for number in pair]
+        field = common_field(flat, lambda k: f"{what} {k // 2}, {'xy'[k % 2]}")
+        return cls.from_rationals(values) if field is None else cls._from_field(values, field)
+
+    @classmethod
+    def _from_field(cls, values: Sequence[Point], field: RealField) -> Points:
+        one = Algebraic(field, [1])
+        xs, ys = ([pair[k] * one for pair in values] for k in (0, 1))
+        return cls(_objects(xs), _objects(ys), None, mpz(1))
 
     @classmethod
     def from_rationals(cls, values: Sequence[Point]) -> Points:
@@ -93,6 +105,11 @@ class Points:
     def __len__(self) -> int:
         return len(self.x)
 
+    @property
+    def over_field(self) -> bool:
+        """Whether the coordinates are numbers of a field rather than integers."""
+        return self.x.dtype == object and len(self.x) > 0 and is_algebraic(self.x[0])
+
     def take(self, indices: NDArray[Any]) -> Points:
         """Return the points at the given indices."""
         w = None if self.w is None else self.w[indices]
@@ -100,6 +117,8 @@ class Points:
 
     def point(self, k: int) -> Point:
         """Return point k as a pair of rationals."""
+        if self.over_field:
+            return simplified(self.x[k]), simplified(self.y[k])
         w = self.scale if self.w is None else self.w[k]
         return mpq(mpz(int(self.x[k])), w), mpq(mpz(int(self.y[k])), w)
 
@@ -109,7 +128,7 @@ class Points:
 
     def homogeneous(self) -> list[HomogeneousPoint]:
         """Return (X, Y, W) for each point, up to one common scale."""
-        xs, ys = ([mpz(v) for v in values.tolist()] for values in (self.x, self.y))
+        xs, ys = (as_objects(values).tolist() for values in (self.x, self.y))
         ws = [mpz(1)] * len(xs) if self.w is None else self.w.tolist()
         return list(zip(xs, ys, ws, strict=True))
 
@@ -132,9 +151,17 @@ class Points:
             return self.x.astype(np.float64), self.y.astype(np.float64)
         pairs = self.pairs()
         return (
-            np.array([_to_float(x) for x, _ in pairs]),
-            np.array([_to_float(y) for _, y in pairs]),
+            np.array([scalar_to_float(x) for x, _ in pairs]),
+            np.array([scalar_to_float(y) for _, y in pairs]),
         )
+
+
+def homogeneous_point(x: Any, y: Any) -> HomogeneousPoint:
+    """Return a point as (X, Y, W): integers over a denominator, or numbers of a field over 1."""
+    if is_algebraic(x) or is_algebraic(y):
+        return x, y, mpz(1)
+    w = common_denominator([x, y])
+    return (x * w).numerator, (y * w).numerator, w
 
 
 def as_point(value: PointLike, where: str) -> Point:
@@ -153,13 +180,13 @@ def _listed(pairs: Iterable[PointLike], what: str) -> list[PointLike]:
 
 
 def _pair(value: PointLike, where: str) -> Point:
-    if isinstance(value, _NO_PAIRS) or not hasattr(value, "__len__") or len(value) != 2:
+    if not is_pair(value):
         raise NumberError(
             f"{value!r:.60} is not a pair of numbers; accepted: (x, y) with exact x and y",
             where=where,
         )
     x, y = value
-    return rational(x, where=f"{where}, x"), rational(y, where=f"{where}, y")
+    return exact_scalar(x, where=f"{where}, x"), exact_scalar(y, where=f"{where}, y")
 
 
 def _int_arrays(xs: list[mpz], ys: list[mpz]) -> tuple[IntArray, IntArray]:
@@ -175,7 +202,3 @@ def _objects(values: Sequence[mpz]) -> IntArray:
     array = np.empty(len(values), dtype=object)
     array[:] = values
     return array
-
-
-def _to_float(value: mpq) -> float:
-    return int(value.numerator) / int(value.denominator)

@@ -22,19 +22,20 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.errors import NotRationalError, NumberLimitError
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.predicates import half_planes, sign
+from stochgeom.exact.surds import Scalar, scalar_to_float, scalar_to_sympy
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.diameter import Extrema
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.geometry.points import Point, PointLike
 from stochgeom.geometry.sight import look_around
+from stochgeom.geometry.sinusoids import squared_height
 
 if TYPE_CHECKING:
     import sympy
@@ -51,11 +52,11 @@ class RadiusPiece:
     ----------
     arc : Arc
         The orientations where the piece holds, starting in [0, 360) degrees.
-    chord : (mpq, mpq)
+    chord : pair of exact numbers
         From the vertex on the lower jaw to the centre of mass, in the part's frame.
     phase : Angle
         arg(chord).
-    squared_amplitude : mpq
+    squared_amplitude : exact number
         Squared length of the chord.
     vertex : int
         Outline number of the vertex.
@@ -64,7 +65,7 @@ class RadiusPiece:
     arc: Arc
     chord: Point
     phase: Angle
-    squared_amplitude: mpq
+    squared_amplitude: Scalar
     vertex: int
 
 
@@ -180,32 +181,25 @@ class RadiusFunction:
 
     # --- values ----------------------------------------------------------------------------------
 
-    def squared(self, theta: Angle) -> mpq:
-        """Return r(theta)**2 exactly, for a rational direction theta.  O(log n).
+    def squared(self, theta: Angle) -> Scalar:
+        """Return r(theta)**2 exactly, for a direction theta over the part's field.  O(log n).
 
         Raises
         ------
         NotRationalError
-            If theta is no rational direction (such as 71 degrees): the value is irrational or
-            beyond what an exact comparison here covers.
+            If theta is no direction over the part's field, such as 71 degrees over Q.
 
         Examples
         --------
         >>> RadiusFunction([(0, 0), (4, 0), (0, 4)]).squared(Angle(0, (1, 1)))
         mpq(32,9)
         """
-        if theta.turn_part.denominator != 1:
-            raise NotRationalError(
-                f"the squared radius at {theta} is not known to be rational; "
-                "accepted: rational directions"
-            )
-        x, y = theta.direction
         # Before transition 0 runs the last piece, which is piece -1.
-        vx, vy = self._chord(self.transitions.count_at_most(theta.reduced()) - 1)
-        return (vx * y + vy * x) ** 2 / (x * x + y * y)
+        piece = self.transitions.count_at_most(theta.reduced()) - 1
+        return squared_height(self._chord(piece), theta, "radius")
 
     def compare(self, first: Angle, second: Angle) -> int:
-        """Return the sign of r(first) - r(second), exactly, at rational directions."""
+        """Return the sign of r(first) - r(second), exactly, as `squared` tells them."""
         return sign(self.squared(first) - self.squared(second))
 
     @cached_property
@@ -213,11 +207,8 @@ class RadiusFunction:
         """Chords of all pieces, each component the rounded exact difference."""
         chords = [self._chord(piece) for piece in range(len(self.flush))]
         try:
-            x, y = (
-                np.array([int(c[k].numerator) / int(c[k].denominator) for c in chords])
-                for k in (0, 1)
-            )
-        except OverflowError:
+            x, y = (np.array([scalar_to_float(c[k]) for c in chords]) for k in (0, 1))
+        except (OverflowError, NumberLimitError):
             raise NumberLimitError(
                 "a chord is too long for a float; accepted: parts below 1e308, or Part.scale"
             ) from None
@@ -248,10 +239,7 @@ class RadiusFunction:
         for t, end in enumerate((*self.transitions, FULL_TURN)):
             if not end:
                 continue  # nothing lies before a transition at 0
-            x, y = (
-                sympy.Rational(int(value.numerator), int(value.denominator))
-                for value in self._chord(t - 1)
-            )
+            x, y = (scalar_to_sympy(value) for value in self._chord(t - 1))
             branches.append(
                 (x * sympy.sin(symbol) + y * sympy.cos(symbol), symbol < end.to_sympy())
             )

@@ -10,6 +10,7 @@ from gmpy2 import mpq, mpz
 from numpy.typing import NDArray
 
 from stochgeom.errors import CenterOfMassError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.offset_directions import OffsetDirections
 from stochgeom.exact.predicates import (
     EXACT_FLOAT_LIMIT,
@@ -19,11 +20,10 @@ from stochgeom.exact.predicates import (
     dot_signs,
     fits_float,
 )
-from stochgeom.exact.scalars import common_denominator
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.hull import ConvexHull, hull_edges
 from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import Point
+from stochgeom.geometry.points import Point, homogeneous_point
 
 Indices = NDArray[np.intp]
 
@@ -95,14 +95,13 @@ def _upright(hull: ConvexHull, center: Point) -> AngleVector:
     With (vx, vy) the way from the vertex to the centre, that is arg(vy + i vx).
     """
     points = hull.points
-    # The centre is (cx / w, cy / w) in the units of the points' integers.
-    cx, cy = center[0] * points.scale, center[1] * points.scale
-    w = common_denominator([cx, cy])
-    px, py = (cx * w).numerator, (cy * w).numerator
+    # The centre is (px / w, py / w) in the units of the points' integers.
+    px, py, w = homogeneous_point(center[0] * points.scale, center[1] * points.scale)
     if points.w is not None:
         x, y = px * points.w - points.x * w, py * points.w - points.y * w
         return AngleVector.from_directions(y, x)
-    if fits_float(points.x, points.y):
+    over_field = is_algebraic(px) or is_algebraic(py)
+    if not over_field and fits_float(points.x, points.y):
         largest = max(int(np.abs(points.x).max()), int(np.abs(points.y).max()))
         if max(abs(px), abs(py)) + w * largest < EXACT_FLOAT_LIMIT:
             one = int(w)

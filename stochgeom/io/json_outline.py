@@ -18,6 +18,9 @@ from typing import Any, Final, NoReturn, TypeAlias
 
 from stochgeom.errors import FormatError, NumberError
 from stochgeom.exact import scalars
+from stochgeom.exact.algebraic import Algebraic
+from stochgeom.exact.fields import regular_polygon_field
+from stochgeom.exact.surds import field_symbols
 from stochgeom.io.exact_json import NumberText, kind_of, load_json
 from stochgeom.io.rings import (
     Outline,
@@ -38,13 +41,14 @@ ACCEPTED: Final = (
 SCHEMAS: Final = ("stochgeom/plan/1",)
 """Schemas of the documents whose `part` is read."""
 
-_PART_KEYS: Final = ("vertices", "name", "center_of_mass", "holes")
+_PART_KEYS: Final = ("vertices", "name", "center_of_mass", "holes", "field")
 
 # From 0.7 on "vertexes", "centreOfMass" and "center_of_gravity" count as misspelt; "filename",
 # "label" and "description" do not.
 _LIKENESS: Final = 0.7
 
 _Object: TypeAlias = dict[str, Any]
+_Symbols: TypeAlias = "dict[str, Algebraic] | None"
 
 
 def parse_json(text: str) -> Outline:
@@ -104,11 +108,30 @@ def _from_part(part: _Object) -> Outline:
     if "vertices" not in part:
         keys = shown(", ".join(part)) if part else "none"
         raise FormatError(f'no key "vertices" (keys found: {keys}); {ACCEPTED}')
+    symbols = _field_symbols(part.get("field"))
     return Outline(
-        _ring(part["vertices"], "", "vertices"),
-        _holes(part.get("holes")),
-        _center_of_mass(part.get("center_of_mass")),
+        _ring(part["vertices"], "", "vertices", symbols),
+        _holes(part.get("holes"), symbols),
+        _center_of_mass(part.get("center_of_mass"), symbols),
         _name(part.get("name")),
+    )
+
+
+def _field_symbols(value: Any) -> _Symbols:
+    """Return what letters in coordinates stand for, given the field that a document names."""
+    if value is None:
+        return None
+    order = value.get("regular polygon") if isinstance(value, dict) else None
+    if isinstance(order, NumberText) and order.isdecimal() and len(order) < 6 and int(order) > 2:
+        field = regular_polygon_field(int(order))
+        return None if field is None else field_symbols(field)
+    root = value.get("square root of") if isinstance(value, dict) else None
+    if isinstance(root, NumberText) and root.isdecimal():
+        return None  # the coordinates spell their roots out
+    raise FormatError(
+        f'{kind_of(value)} is not a field; accepted: {{"regular polygon": n}}, in whose text g is '
+        '2 cos(2 pi/n) and s is 2 sin(2 pi/n), or {"square root of": d}',
+        where="field",
     )
 
 
@@ -152,13 +175,13 @@ def _refuse_misspellings(part: _Object) -> None:
             )
 
 
-def _holes(value: Any) -> tuple[Ring, ...]:
+def _holes(value: Any, symbols: _Symbols = None) -> tuple[Ring, ...]:
     if value is None:
         return ()
     if not isinstance(value, list):
         _refuse_ring_list(value, "holes")
     return tuple(
-        _ring(ring, f"hole {index}, ", f"hole {index}") for index, ring in enumerate(value)
+        _ring(ring, f"hole {index}, ", f"hole {index}", symbols) for index, ring in enumerate(value)
     )
 
 
@@ -168,7 +191,7 @@ def _refuse_ring_list(value: Any, where: str) -> NoReturn:
     )
 
 
-def _ring(value: Any, prefix: str, where: str) -> Ring:
+def _ring(value: Any, prefix: str, where: str, symbols: _Symbols = None) -> Ring:
     """Read a list of pairs; `prefix` leads to a vertex of it, `where` names the list itself."""
     if not isinstance(value, list):
         raise FormatError(
@@ -176,24 +199,24 @@ def _ring(value: Any, prefix: str, where: str) -> Ring:
         )
     require_some_vertices(value, where)
     return without_closing_vertex(
-        [_point(pair, f"{prefix}vertex {index}") for index, pair in enumerate(value)]
+        [_point(pair, f"{prefix}vertex {index}", symbols) for index, pair in enumerate(value)]
     )
 
 
-def _point(value: Any, where: str) -> Point:
+def _point(value: Any, where: str, symbols: _Symbols = None) -> Point:
     if not isinstance(value, list) or len(value) != 2:
         raise FormatError(f"{kind_of(value)} is not a vertex; accepted: [x, y]", where=where)
     x, y = value
     if isinstance(x, str) and isinstance(y, str):
-        return read_pair(x, y, where)
+        return read_pair(x, y, where, symbols)
     axis, culprit = ("y", y) if isinstance(x, str) else ("x", x)
     raise NumberError(
         f"{kind_of(culprit)} is not a number; {scalars.ACCEPTED}", where=f"{where}, {axis}"
     )
 
 
-def _center_of_mass(value: Any) -> Point | None:
-    return None if value is None else _point(value, "center_of_mass")
+def _center_of_mass(value: Any, symbols: _Symbols = None) -> Point | None:
+    return None if value is None else _point(value, "center_of_mass", symbols)
 
 
 def _name(value: Any) -> str | None:

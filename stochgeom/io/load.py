@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from dataclasses import replace
 from typing import Final
@@ -26,8 +27,8 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     Parameters
     ----------
     source : str
-        A name of the catalogue, else the path of a file, else ``"-"`` for standard input. A file
-        with the name of a catalogue part is reached as ``./name``.
+        A name of the catalogue or ``regular-N`` for the regular N-gon, else the path of a file,
+        else ``"-"`` for standard input. A file of such a name is reached as ``./name``.
     center_of_mass : str, optional
         ``"x,y"``, in place of the source's own.
 
@@ -44,13 +45,19 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     'house'
     """
     if source in catalogue_names():
-        part = catalogue_part(source)
-        if center_of_mass is None:
-            return part
-        return Part(part.vertices, _center(center_of_mass), part.name)
+        return _with_center(catalogue_part(source), center_of_mass)
+    regular = re.fullmatch("regular-([0-9]{1,5})", source)
+    if regular:
+        return _with_center(Part.regular(int(regular[1])), center_of_mass)
     if source == "-":
         return part_of(parse_outline(decode_text(_standard_input())), center_of_mass)
     return part_of(_read_file(source), center_of_mass)
+
+
+def _with_center(part: Part, center_of_mass: str | None) -> Part:
+    if center_of_mass is None:
+        return part
+    return Part(part.vertices, _center(center_of_mass), part.name)
 
 
 def part_of(outline: Outline, center_of_mass: str | None = None) -> Part:
@@ -105,4 +112,5 @@ def _center(text: str) -> tuple[object, object]:
 
 
 def _accepted() -> str:
-    return f"accepted: {', '.join(catalogue_names())}, a file, or - for standard input"
+    names = ", ".join(catalogue_names())
+    return f"accepted: {names}, regular-N, a file, or - for standard input"

@@ -1,7 +1,8 @@
 """Feeding plans as JSON documents: the schema ``stochgeom/plan/1``.
 
 Exact numbers are text, integers as ``"3"`` and rationals as ``"p/q"``; decimals beside them are
-correctly rounded. An angle is its canonical form plus degrees.
+correctly rounded. An angle is its canonical form plus degrees. Numbers of a part over a field are
+expressions such as ``"1/2*sqrt(3)"``, or in g and s as the part's key ``field`` explains.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from typing import Any, Final
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import rational_text
+from stochgeom.exact.surds import scalar_text
 from stochgeom.feeding.gripper_error import ErrorBound
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimage
@@ -88,6 +90,9 @@ def part_json(part: Part) -> Json:
         "vertices": [_point_json(vertex) for vertex in part.vertices],
         "center_of_mass": _point_json(part.center_of_mass),
     }
+    field = part.field
+    if field is not None:
+        document["field"] = field.description()
     if part.holes:
         document["holes"] = [[_point_json(vertex) for vertex in hole] for hole in part.holes]
     return document
@@ -107,7 +112,7 @@ def angle_json(angle: Angle, digits: int = 4) -> Json:
     x, y = angle.direction
     return {
         "turns": int(turns) if turns.denominator == 1 else rational_text(turns),
-        "direction": [rational_text(x), rational_text(y)],
+        "direction": [scalar_text(x), scalar_text(y)],
         "degrees": angle.degrees(digits),
     }
 
@@ -153,4 +158,4 @@ def _arc_json(arc: Arc, digits: int) -> Json:
 
 
 def _point_json(point: Point) -> list[str]:
-    return [rational_text(point[0]), rational_text(point[1])]
+    return [scalar_text(point[0]), scalar_text(point[1])]

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias, final
 
-from gmpy2 import mpq
-
 from stochgeom.errors import TooFewVerticesError
-from stochgeom.exact.scalars import parse_rational
+from stochgeom.exact.algebraic import Algebraic
+from stochgeom.exact.surds import Scalar, exact_scalar
 
-Point: TypeAlias = tuple[mpq, mpq]
+Point: TypeAlias = tuple[Scalar, Scalar]
 Ring: TypeAlias = tuple[Point, ...]
 
 # Control characters, surrogates, line and paragraph separators: they would break the one line in
@@ -28,11 +27,11 @@ class Outline:
 
     Attributes
     ----------
-    vertices : tuple of (mpq, mpq)
+    vertices : tuple of pairs of exact numbers
         In the order of the source, without a closing repeat of the first vertex.
-    holes : tuple of tuple of (mpq, mpq)
+    holes : tuple of tuples of pairs
         Likewise, one entry per hole.
-    center_of_mass : (mpq, mpq) or None
+    center_of_mass : pair of exact numbers, or None
         None where the source gives none.
     name : str or None
         From the source, or the default the caller gave.
@@ -48,8 +47,12 @@ class Outline:
     places: tuple[str, ...] = ()
 
 
-def read_pair(x: str, y: str, where: str | None) -> Point:
+def read_pair(
+    x: str, y: str, where: str | None, symbols: Mapping[str, Algebraic] | None = None
+) -> Point:
     """Return the point of two number texts; an error names `where` and the coordinate.
+
+    The texts may hold square roots, and the letters of `symbols`.
 
     Examples
     --------
@@ -57,7 +60,10 @@ def read_pair(x: str, y: str, where: str | None) -> Point:
     (mpq(1,10), mpq(-2,3))
     """
     prefix = "" if where is None else f"{where}, "
-    return parse_rational(x, where=prefix + "x"), parse_rational(y, where=prefix + "y")
+    return (
+        exact_scalar(x, where=prefix + "x", symbols=symbols),
+        exact_scalar(y, where=prefix + "y", symbols=symbols),
+    )
 
 
 def without_closing_vertex(points: Sequence[Point]) -> Ring:

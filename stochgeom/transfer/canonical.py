@@ -49,7 +49,7 @@ def canonical_steps(
 ) -> tuple[AngleVector, AngleVector, Angle]:
     """Return breaks in [0, T), values and the smallest period T, or raise.
 
-    O(m) for functions whose angles are rational directions, where only 1, 2, 4 and 8 periods to
+    O(m) for functions whose angles are directions over Q, where only 1, 2, 4 and 8 periods to
     a full turn come into question; O(m) for each divisor of m otherwise.
     """
     rises = _check_increasing(breaks, values, period)
@@ -60,7 +60,7 @@ def canonical_steps(
     breaks, values = _into_period(breaks, values, period)
     m, order = len(breaks), full_turn_share(period)
     # Rational directions differ by multiples of an eighth of a turn or by irrational turns.
-    directions_only = breaks.turn_parts.dtype != object
+    directions_only = breaks.turn_parts.dtype != object and not breaks.over_field
     # The smallest period cuts m into the most equal words; try many words first.
     for count in _divisors(m)[:-1]:
         if directions_only and 8 % (order * count):

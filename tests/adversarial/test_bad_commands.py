@@ -189,7 +189,9 @@ def test_files_that_are_no_text(capsys, tmp_path, content, where):
 
 class TestNamesOfSources:
     def test_an_unknown_part(self, capsys):
-        words = f"accepted: {', '.join(catalogue_names())}, a file, or - for standard input"
+        words = (
+            f"accepted: {', '.join(catalogue_names())}, regular-N, a file, or - for standard input"
+        )
         assert_refuses(capsys, ["plan", "hous"], "ReadError", "hous", words)
 
     def test_a_missing_file(self, capsys, tmp_path):

@@ -136,7 +136,7 @@ def test_comparison():
 @pytest.mark.parametrize("theta", [Angle.from_degrees(71), Angle("1/3", (3, 4))])
 def test_squares_are_given_at_rational_directions_only(theta):
     for ask in (RECTANGLE.squared, RECTANGLE.potential, lambda t: RECTANGLE.compare(t, ZERO)):
-        with pytest.raises(NotRationalError, match="accepted: rational directions"):
+        with pytest.raises(NotRationalError, match="accepted: directions over it"):
             ask(theta)
 
 

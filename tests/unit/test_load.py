@@ -81,7 +81,8 @@ class TestFiles:
         assert caught.value.where == name
         assert caught.value.message == (
             "neither a part of the catalogue nor a file; accepted: triangle, rectangle, house, "
-            "4gon, 5gon, wrench, tuning-fork, key, a file, or - for standard input"
+            "4gon, 5gon, wrench, tuning-fork, key, regular-N, a file, or - for "
+            "standard input"
         )
 
     def test_no_name(self):

@@ -183,7 +183,7 @@ def test_a_center_in_a_notch_is_inside_the_hull():
 @pytest.mark.parametrize("theta", [Angle.from_degrees(71), Angle("1/3", (3, 4))])
 def test_squares_are_given_at_rational_directions_only(theta):
     for ask in (RECTANGLE.squared, lambda t: RECTANGLE.compare(t, ZERO)):
-        with pytest.raises(NotRationalError, match="accepted: rational directions"):
+        with pytest.raises(NotRationalError, match="accepted: directions over it"):
             ask(theta)
 
 
