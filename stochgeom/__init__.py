@@ -28,12 +28,14 @@ if TYPE_CHECKING:
     from stochgeom.decision.priors import Prior, Window, uniform_prior
     from stochgeom.decision.rejections import Observation, Rejections
     from stochgeom.errors import StochgeomError
+    from stochgeom.exact.algebraic import Algebraic
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
     from stochgeom.exact.forms import sign_of_form
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.sums import AngleSum
+    from stochgeom.exact.surds import exact_scalar
     from stochgeom.exact.vectors import AngleVector
     from stochgeom.feeding.actions import Action
     from stochgeom.feeding.adversarial import FAMILIES
@@ -62,7 +64,9 @@ if TYPE_CHECKING:
     from stochgeom.transfer.step_function import StepFunction
 
 _HOMES = {
+    "Algebraic": "exact.algebraic",
     "AngleSum": "exact.sums",
+    "exact_scalar": "exact.surds",
     "CallablePrior": "decision.callable_prior",
     "DiscretePrior": "decision.discrete_prior",
     "MixturePrior": "decision.mixture_prior",
@@ -142,6 +146,7 @@ __all__ = [
     "QUARTER_TURN",
     "ZERO",
     "Action",
+    "Algebraic",
     "Angle",
     "AngleSum",
     "AngleVector",
@@ -181,6 +186,7 @@ __all__ = [
     "catalogue_part",
     "check_claim",
     "convex_hull",
+    "exact_scalar",
     "from_float_exact",
     "from_float_shortest",
     "load_part",
