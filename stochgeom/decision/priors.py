@@ -89,7 +89,7 @@ class Prior(ABC):
         Returns
         -------
         Window
-            Among equals the one of the smallest start, of those that were compared.
+            Among equals the one of the smallest start, of those that were compared; 0 always is.
 
         Raises
         ------
