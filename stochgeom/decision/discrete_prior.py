@@ -11,7 +11,7 @@ best start, unless 0 is one: then it is taken, else the smallest at a point.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import final
+from typing import Final, final
 
 from gmpy2 import mpq
 
@@ -20,6 +20,7 @@ from stochgeom.decision.priors import (
     Prior,
     Window,
     as_orientation,
+    as_pairs,
     as_share,
     check_width,
     normalise,
@@ -29,6 +30,8 @@ from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum
+
+_POINT: Final = "an orientation and its weight"
 
 
 @final
@@ -70,7 +73,7 @@ class DiscretePrior(Prior):
         weights: Mapping[Angle | RationalLike, RationalLike]
         | Iterable[tuple[Angle | RationalLike, RationalLike]],
     ) -> None:
-        pairs = list(weights.items() if isinstance(weights, Mapping) else weights)
+        pairs = as_pairs(weights, what="point", accepted=_POINT)
         listed = [
             (as_orientation(key, where=f"point {k}"), as_share(value, where=f"point {k}"))
             for k, (key, value) in enumerate(pairs)
@@ -94,7 +97,7 @@ class DiscretePrior(Prior):
         >>> DiscretePrior.from_counts({"10": 3, "200": 1}).weights
         (mpq(3,4), mpq(1,4))
         """
-        pairs = list(counts.items() if isinstance(counts, Mapping) else counts)
+        pairs = as_pairs(counts, what="point", accepted=_POINT)
         shares = normalise([count for _, count in pairs])
         return cls([(key, share) for (key, _), share in zip(pairs, shares, strict=True)])
 

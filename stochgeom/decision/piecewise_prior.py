@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import final
+from typing import Any, final
 
 from gmpy2 import mpq
 
 from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.measures import StepMeasure
-from stochgeom.decision.priors import Prior, Window, as_share, normalise
+from stochgeom.decision.priors import Prior, Window, as_pairs, as_share, normalise
 from stochgeom.decision.step_density import StepDensity
 from stochgeom.errors import PriorError
 from stochgeom.exact.angles import FULL_TURN, Angle
@@ -54,7 +54,7 @@ class PiecewisePrior(Prior):
     def __init__(self, pieces: Iterable[tuple[Arc, RationalLike]]) -> None:
         listed = [
             (arc, as_share(value, where=f"piece {k}", what="density"))
-            for k, (arc, value) in enumerate(pieces)
+            for k, (arc, value) in enumerate(_as_pieces(pieces, "density"))
         ]
         if not listed:
             raise PriorError("no pieces; accepted: one or more arcs with densities")
@@ -64,7 +64,7 @@ class PiecewisePrior(Prior):
             exact = total.rational
             shown = total.decimal(6) if exact is None else rational_text(exact)
             raise PriorError(
-                f"the density of {len(listed)} pieces integrates to {shown}; "
+                f"{len(listed)} densities integrate to {shown} over their arcs; "
                 "accepted: densities per full turn of integral 1, or from_masses"
             )
         self.density = StepDensity.of_arcs(listed, mpq(1))
@@ -85,7 +85,7 @@ class PiecewisePrior(Prior):
         mpq(5,6)
         """
         listed = []
-        for k, (arc, value) in enumerate(pieces):
+        for k, (arc, value) in enumerate(_as_pieces(pieces, "mass")):
             mass, turns = as_share(value, where=f"piece {k}", what="mass"), arc.width.rational_turns
             if turns is None:
                 raise PriorError(
@@ -183,6 +183,14 @@ class PiecewisePrior(Prior):
 
     def __hash__(self) -> int:
         return hash((self.density.breaks, self.density.densities))
+
+
+def _as_pieces(pieces: object, what: str) -> list[tuple[Arc, Any]]:
+    pairs = as_pairs(pieces, what="piece", accepted=f"an Arc and its {what}")
+    for k, (arc, _) in enumerate(pairs):
+        if not isinstance(arc, Arc):
+            raise PriorError(f"{arc!r:.60} is no Arc; accepted: one", where=f"piece {k}")
+    return pairs
 
 
 def _refuse_overlaps(arcs: list[Arc]) -> None:

@@ -54,6 +54,8 @@ def final_steps(goal: Goal, transfer: StepFunction, part: Part | None) -> tuple[
     ((0,), (0,))
     """
     if isinstance(goal, tuple):
+        if not goal:
+            raise GoalError("no goals; accepted: one or more, or None for any", where="goal")
         return tuple(sorted({k for one in goal for k in final_steps(one, transfer, part)}))
     if goal == MOST_STABLE:
         return _most_stable(transfer, part)

@@ -237,7 +237,7 @@ class TestPriors:
         assert plan.verify()
 
     def test_an_error_that_leaves_nothing(self):
-        with pytest.raises(NoPlanError, match=r"accepted: less than half of 112\.6199°"):
+        with pytest.raises(NoPlanError, match=r"accepted: less than 56\.3099°"):
             plan_feeding(RECTANGLE, prior=self.prior, gripper_error=60)
         problem = FeedingProblem(RECTANGLE, prior=self.prior, gripper_error=60)
         assert problem.placement(1) is None
