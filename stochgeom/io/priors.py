@@ -31,8 +31,8 @@ from stochgeom.decision.density_priors import VonMises, WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.mixture_prior import MixturePrior
 from stochgeom.decision.piecewise_prior import PiecewisePrior
-from stochgeom.decision.priors import Prior, uniform_prior
-from stochgeom.errors import FormatError, ReadError, StochgeomError
+from stochgeom.decision.priors import Prior, as_share, uniform_prior
+from stochgeom.errors import FormatError, InvalidArcError, ReadError, StochgeomError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import parse_rational
@@ -109,8 +109,9 @@ def parse_prior(text: str) -> Prior:
                 "seen",
                 where=place,
             )
-        values = [parse_rational(field, where=place) for field in fields]
-        counts.append((values[0], values[1] if len(values) > 1 else mpq(1)))
+        angle = parse_rational(fields[0], where=place)
+        times = as_share(fields[1], where=place, what="count") if len(fields) > 1 else mpq(1)
+        counts.append((angle, times))
     if not counts:
         raise FormatError(f"no orientations; {ACCEPTED}")
     return DiscretePrior.from_counts(counts)
@@ -138,7 +139,14 @@ def _from_json(document: Any, place: str, depth: int) -> Prior:
             f"the keys of {kind} are {shown(found)}; accepted: {', '.join(keys) or 'none'}",
             where=f"{place}kind",
         )
-    return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+    try:
+        return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+    except StochgeomError as error:
+        where = error.where or ""
+        if where.startswith(place):
+            raise
+        # A component's own complaint, which does not know where the component stands.
+        raise type(error)(error.message, where=f"{place}{where}".removesuffix(", ")) from None
 
 
 class _Field:
@@ -190,13 +198,17 @@ def _histogram(edges: _Field, counts: _Field) -> Prior:
 
 def _piecewise(pieces: _Field) -> Prior:
     rows = pieces.rows("START, WIDTH, DENSITY")
-    arcs = [
-        Arc(Angle.from_degrees(start.number()), Angle.from_degrees(width.number()))
-        for start, width, _ in rows
-    ]
+    arcs = [_arc(start, width) for start, width, _ in rows]
     return PiecewisePrior(
         [(arc, density.number()) for arc, (_, _, density) in zip(arcs, rows, strict=True)]
     )
+
+
+def _arc(start: _Field, width: _Field) -> Arc:
+    try:
+        return Arc(Angle.from_degrees(start.number()), Angle.from_degrees(width.number()))
+    except InvalidArcError as error:
+        raise InvalidArcError(error.message, where=width.place) from None
 
 
 def _mixture(components: _Field) -> Prior:

@@ -6,7 +6,14 @@ import json
 
 import pytest
 
-from stochgeom.errors import FormatError, InputError, NumberError, PriorError, ReadError
+from stochgeom.errors import (
+    FormatError,
+    InputError,
+    InvalidArcError,
+    NumberError,
+    PriorError,
+    ReadError,
+)
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.io.priors import load_prior, parse_prior
@@ -73,7 +80,8 @@ class TestLines:
             ("# nothing\n", FormatError, None),
             ("1\n2 3 4\n", FormatError, "line 2"),
             ("1\nabc\n", NumberError, "line 2"),
-            ("1\n2 -3\n", PriorError, "count 1"),
+            ("# seen\n1\n2 -3\n", PriorError, "line 3"),
+            ("1 x\n", NumberError, "line 1"),
             ("1 0\n2 0\n", PriorError, None),
             ("1 1e999999999", NumberError, "line 1"),
         ],
@@ -139,6 +147,19 @@ class TestJson:
             ({"kind": "histogram", "edges": [9, 5], "counts": [1]}, PriorError, None, ""),
             ({"kind": "histogram", "edges": [1], "counts": [1]}, PriorError, None, ""),
             ({"kind": "piecewise", "pieces": [[0, 90, 1]]}, PriorError, None, "1/4"),
+            ({"kind": "piecewise", "pieces": [[0, 0, 1]]}, InvalidArcError, "pieces 0 1", "0.0000"),
+            (
+                {"kind": "mixture", "components": [[1, {"kind": "normal", "mean": 0, "sd": -1}]]},
+                PriorError,
+                "components 0 1",
+                "standard deviation -1",
+            ),
+            (
+                {"kind": "mixture", "components": [[1, {"kind": "discrete", "points": [[0, -1]]}]]},
+                PriorError,
+                "components 0 1, point 0",
+                "weight -1 is negative",
+            ),
             (
                 {"kind": "mixture", "components": [[1, {"kind": "normal", "mean": 0, "sd": "x"}]]},
                 NumberError,
