@@ -7,7 +7,7 @@ from gmpy2 import mpq
 from stochgeom.cli.layout import count, table
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.decimals import Rounding
+from stochgeom.exact.decimals import Rounding, rational_decimal
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.plans import FeedingPlan
@@ -15,6 +15,9 @@ from stochgeom.feeding.problem import FeedingProblem
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
+
+MOST_DECIMALS = 12
+"""A given angle is shown with so many decimals more than asked for, if it has no more."""
 
 
 def plan_text(
@@ -64,22 +67,32 @@ def error_text(
     """Return what the plans bear of gripper error, in a line each."""
     lines = []
     if problem.gripper_error is not None:
-        given = problem.gripper_error.degrees(digits)
+        given = _unrounded(problem.gripper_error, digits)
         lines.append(f"Every action may be off by {given} degrees either way.")
     plans = {plan.steps: plan for plan in (optimal, geometric) if plan is not None}
     for plan in plans.values():
-        margin = plan.margin
+        bound = plan.error_bound
         name = f"The {plan.steps}-step plan"
-        if margin is None and plan.prior is None:
+        if bound is None and plan.prior is None:
             lines.append(f"{name} bears any gripper error: its only turn is random.")
-        elif margin is None:
+        elif bound is None:
             lines.append(f"{name} has one turn, and an error of it moves the mouth.")
         else:
-            least = margin.degrees(digits, Rounding.DOWN)
-            lines.append(f"{name} bears every gripper error below {least} degrees.")
+            least, most = _printed_margin(plan, digits), bound.degrees(digits)
+            middles = "" if least == most else f", and {most} at the middles of its ranges"
+            lines.append(f"{name} bears every gripper error below {least} degrees{middles}.")
     if problem.gripper_error is not None:
         lines.append(_largest_error(problem, complete=geometric is not None, digits=digits))
     return "\n".join(lines)
+
+
+def _unrounded(angle: Angle, digits: int) -> str:
+    """Return an angle with as many decimals as it has, if they are few."""
+    exact = angle.rational_turns
+    for decimals in range(digits, digits + MOST_DECIMALS):
+        if exact is not None and mpq(text := angle.degrees(decimals)) == exact * 360:
+            return text
+    return angle.degrees(digits)
 
 
 def _largest_error(problem: FeedingProblem, *, complete: bool, digits: int) -> str:
@@ -146,22 +159,40 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
 
 
 def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:
+    """Return the angle of an action and what it works for, in words."""
+    if action.low is None:
+        return ("random", "any angle") if random else (action.angle.degrees(digits), "the prior")
+    angle, low, high = _as_printed(action, action.low, digits)
+    return angle, f"({low}, {high}]"
+
+
+def _as_printed(action: Action, low: Angle, digits: int) -> tuple[str, str, str]:
     """Return decimals that work as they stand, with more digits than asked for if need be.
 
-    The range is rounded inwards, and the angle lies inside the rounded range: who types in what
-    is printed gets a plan that works.
+    The range is rounded inwards, and the angle lies inside the rounded range, with the gripper's
+    error to both sides: who types in what is printed gets a plan that works.
     """
-    if action.low is None or action.high is None:
-        if random:
-            return "random", "any angle"
-        return action.angle.degrees(digits), "the prior"
+    assert action.high is not None  # as there is a lower end
     while True:
-        low = action.low.degrees(digits, Rounding.UP)
-        high = action.high.degrees(digits, Rounding.DOWN)
+        bottom = low.degrees(digits, Rounding.UP)
+        top = action.high.degrees(digits, Rounding.DOWN)
         angle = action.angle.degrees(digits)
-        if mpq(low) < mpq(angle) <= mpq(high):
-            return angle, f"({low}, {high}]"
+        typed = Angle.from_degrees(angle)
+        if Angle.from_degrees(
+            bottom
+        ) < typed - action.margin and typed + action.margin <= Angle.from_degrees(top):
+            return angle, bottom, top
         digits += 1
+
+
+def _printed_margin(plan: FeedingPlan, digits: int) -> str:
+    """Return the least distance of a printed angle from a printed end of its range."""
+    distances = []
+    for action in plan.actions:
+        if action.low is not None:
+            angle, low, high = map(mpq, _as_printed(action, action.low, digits))
+            distances += [angle - low, high - angle]
+    return rational_decimal(min(distances), digits, Rounding.DOWN)
 
 
 def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str:

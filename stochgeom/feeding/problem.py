@@ -278,15 +278,27 @@ class FeedingProblem:
         """Return the bound of the errors with which a plan up to symmetry exists; None for any."""
         return largest_gripper_error(self.transfer, self.final_steps)
 
-    def most_tolerant_plan(self, steps: int, cost_ratio: RationalLike = 1) -> FeedingPlan:
+    def most_tolerant(self, steps: int, cost_ratio: RationalLike = 1) -> FeedingPlan:
         """Return the plan of `steps` steps that bears most gripper error, its mouth the widest.
+
+        As wide as without any error, that is; `FeedingPlan.error_bound` tells how much it bears.
 
         Raises
         ------
         InputError
             If so many steps do no better than fewer.
+        NoPlanError
+            If even this plan does not bear the gripper error of the problem.
         """
-        return self._plan(most_tolerant_chain(self.transfer, steps, self.final_steps), cost_ratio)
+        chain = most_tolerant_chain(self.transfer, steps, self.final_steps)
+        plan = self._plan(chain, cost_ratio)
+        bound = plan.error_bound
+        if bound is not None and not bound.allows(self._delta):
+            raise NoPlanError(
+                f"no plan of {steps} steps has its widest mouth with a gripper error of "
+                f"{self._delta}; accepted: less than {bound}"
+            )
+        return plan
 
 
 def _informative(prior: Prior) -> Prior | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 import pytest
@@ -25,7 +26,8 @@ Angles are degrees counter-clockwise, each relative to the gripper's last pose; 
 are rounded inwards, so all of them works as printed.
 
 Every action may be off by 2.0000 degrees either way.
-The 3-step plan bears every gripper error below 17.1027 degrees.
+The 3-step plan bears every gripper error below 17.1027 degrees, and 17.7688 at the middles of its \
+ranges.
 Plans that orient it uniquely exist for every error below 17.7688 degrees.
 
 Best plan of each length (a filter pass costs 1 push-grasp time)
@@ -138,6 +140,28 @@ class TestGripperError:
         assert found["largest_gripper_error"]["degrees"] == "10.3616"
         assert Fraction(found["plan"]["margin"]["degrees"]) > 5
 
+    @pytest.mark.parametrize("error", ["0.05", "6.28", "8.659", "8.6594"])
+    @pytest.mark.parametrize("digits", ["0", "1", "4"])
+    def test_printed_angles_leave_room_for_the_error(self, capsys, error, digits):
+        vertices = "0,0 7,0 9,3 4,8 1,6"
+        text = report(capsys, "--vertices", vertices, "--gripper-error", error, "--digits", digits)
+        rows = re.findall(r" (\S+)  +\((\S+), (\S+)\]", text)
+        assert len(rows) >= 3
+        assert all(
+            Fraction(low) < Fraction(angle) - Fraction(error)
+            and Fraction(angle) + Fraction(error) <= Fraction(high)
+            for angle, low, high in rows
+        )
+        borne = r"The (\d)-step plan bears .* error below (\S+) degrees(?:, and (\S+))?"
+        for steps, least, middles in re.findall(borne, text):
+            distances = [
+                d
+                for angle, low, high in rows[: int(steps) - 1]
+                for d in (Fraction(angle) - Fraction(low), Fraction(high) - Fraction(angle))
+            ]
+            assert 0 <= min(distances) - Fraction(least) < Fraction(1, 10 ** int(digits))
+            assert not middles or Fraction(middles) > Fraction(least)
+
     def test_no_plan_up_to_symmetry(self, capsys):
         text = report(capsys, "4gon", "--gripper-error", "11")
         assert "No plan orients the part up to symmetry with this error." in text
@@ -152,7 +176,7 @@ class TestGripperError:
 
     def test_nothing_is_caught_for_sure(self, capsys):
         options = ["--prior", "normal:0,5", "--gripper-error", "85"]
-        assert "no plan works" in refusal(capsys, "4gon", *options, code=1)
+        assert "no plan is sure to catch anything" in refusal(capsys, "4gon", *options, code=1)
 
     @pytest.mark.parametrize("error", ["-1", "180", "1e3", "nan", "x", "1e999999999"])
     def test_no_gripper_error(self, capsys, error):
