@@ -177,10 +177,8 @@ def _as_printed(action: Action, low: Angle, digits: int) -> tuple[str, str, str]
         bottom = low.degrees(digits, Rounding.UP)
         top = action.high.degrees(digits, Rounding.DOWN)
         angle = action.angle.degrees(digits)
-        typed = Angle.from_degrees(angle)
-        if Angle.from_degrees(
-            bottom
-        ) < typed - action.margin and typed + action.margin <= Angle.from_degrees(top):
+        first, typed, last = (Angle.from_turns(mpq(text) / 360) for text in (bottom, angle, top))
+        if first < typed - action.margin and typed + action.margin <= last:
             return angle, bottom, top
         digits += 1
 

@@ -162,6 +162,14 @@ class TestGripperError:
             assert 0 <= min(distances) - Fraction(least) < Fraction(1, 10 ** int(digits))
             assert not middles or Fraction(middles) > Fraction(least)
 
+    def test_more_digits_than_number_text_may_have(self, capsys):
+        assert "45." + 20_001 * "0" in report(capsys, "house", "--digits", "20001")
+
+    def test_a_given_error_is_not_rounded(self, capsys):
+        for given, shown in (("8.65948", "8.65948"), ("1/3", "0.3")):
+            text = report(capsys, "house", "--gripper-error", given, "--digits", "1")
+            assert f"Every action may be off by {shown} degrees either way." in text
+
     def test_no_plan_up_to_symmetry(self, capsys):
         text = report(capsys, "4gon", "--gripper-error", "11")
         assert "No plan orients the part up to symmetry with this error." in text
