@@ -37,7 +37,8 @@ class Arc:
     width: Angle
 
     def __post_init__(self) -> None:
-        if not (isinstance(self.start, Angle) and isinstance(self.width, Angle)):
+        ends: tuple[object, ...] = (self.start, self.width)
+        if not all(isinstance(end, Angle) for end in ends):
             raise InvalidArcError(
                 f"an arc from {self.start!r:.60}, {self.width!r:.60} wide; accepted: two Angles"
             )
