@@ -97,6 +97,13 @@ class TestMaximumLikelihood:
         assert estimate.iterations == 2
         assert estimate.gap > 1e-9
 
+    def test_the_gap_is_hardly_more_than_what_is_missing(self):
+        rejections = Rejections(CELLS[:2], [over(0, 1, 100, 0)])
+        estimate = rejections.maximum_likelihood([9, 1], most_iterations=1)
+        missing = 100 * log(10 / 9)  # before the round; the best weights are 1 and 0
+        assert estimate.gap == pytest.approx(100 * (10 / 9 - 1))
+        assert missing < estimate.gap < 1.06 * missing
+
     @given(
         st.lists(
             st.tuples(st.integers(0, 3), st.integers(1, 3), st.integers(0, 9), st.integers(0, 9)),
