@@ -8,19 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Any, final
+from typing import Any, Final, final
 
 from gmpy2 import mpq
 
 from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.measures import StepMeasure
-from stochgeom.decision.priors import Prior, Window, as_pairs, as_share, normalise
+from stochgeom.decision.priors import Prior, Window, as_orientation, as_pairs, as_share, normalise
 from stochgeom.decision.step_density import StepDensity
 from stochgeom.errors import PriorError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.exact.sums import AngleSum
+
+MAX_BINS: Final = 100_000
 
 
 @final
@@ -144,6 +146,39 @@ class PiecewisePrior(Prior):
         places = [Angle.from_degrees(end) for end in ends]
         arcs = [Arc(a, b - a) for a, b in pairwise(places)]
         return cls.from_masses(zip(arcs, shares, strict=True))
+
+    @classmethod
+    def from_measurements(
+        cls, degrees: Iterable[Angle | RationalLike], bins: int = 36
+    ) -> PiecewisePrior:
+        """Return the histogram of measured orientations, in bins of one width from 0 on.
+
+        Parameters
+        ----------
+        degrees : iterable of text, rational numbers or Angle
+            Orientations in degrees, taken modulo 360. One on an edge is in the bin above it.
+        bins : int, default 36
+            How many there are, from 1 to `MAX_BINS`.
+
+        Raises
+        ------
+        PriorError
+            If there are no measurements, or the number of bins is not acceptable.
+
+        Examples
+        --------
+        >>> prior = PiecewisePrior.from_measurements(["12.5", "359", "-0.5", "90"], bins=4)
+        >>> prior.mass(Arc(Angle.from_degrees(270), Angle.from_degrees(180))).rational
+        mpq(3,4)
+        """
+        given: object = bins
+        if not isinstance(given, int) or not 0 < bins <= MAX_BINS:
+            raise PriorError(f"{bins!r:.60} bins; accepted: whole numbers from 1 to {MAX_BINS}")
+        width = Angle.from_turns(mpq(1, bins))
+        counts = [0] * bins
+        for k, value in enumerate(degrees):
+            counts[as_orientation(value, where=f"measurement {k}") // width] += 1
+        return cls.from_histogram([mpq(360 * k, bins) for k in range(bins + 1)], counts)
 
     def density_at(self, theta: Angle) -> mpq:
         """Return the density at theta, per full turn."""

@@ -13,6 +13,7 @@ or a JSON object with a ``kind``, numbers in it as such or as text, angles in de
 - ``{"kind": "uniform"}``;
 - ``{"kind": "discrete", "points": [[ANGLE, WEIGHT], ...]}``, weights of sum 1;
 - ``{"kind": "measurements", "degrees": [ANGLE, ...]}``;
+- ``{"kind": "binned measurements", "degrees": [ANGLE, ...], "bins": COUNT}``, in bins from 0 on;
 - ``{"kind": "histogram", "edges": [ANGLE, ...], "counts": [COUNT, ...]}``;
 - ``{"kind": "piecewise", "pieces": [[START, WIDTH, DENSITY], ...]}``, densities per full turn;
 - ``{"kind": "normal", "mean": ANGLE, "sd": DEGREES}``;
@@ -30,9 +31,9 @@ from gmpy2 import mpq
 from stochgeom.decision.density_priors import VonMises, WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.mixture_prior import MixturePrior
-from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.piecewise_prior import MAX_BINS, PiecewisePrior
 from stochgeom.decision.priors import Prior, as_share, uniform_prior
-from stochgeom.errors import FormatError, InvalidArcError, ReadError, StochgeomError
+from stochgeom.errors import FormatError, InvalidArcError, PriorError, ReadError, StochgeomError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import parse_rational
@@ -190,6 +191,17 @@ def _measurements(degrees: _Field) -> Prior:
     return DiscretePrior.from_measurements([angle.number() for angle in degrees.items()])
 
 
+def _binned(degrees: _Field, bins: _Field) -> Prior:
+    count = bins.number()
+    listed = [angle.number() for angle in degrees.items()]
+    whole = int(count) if count.denominator == 1 else 0
+    try:
+        return PiecewisePrior.from_measurements(listed, whole)
+    except PriorError as error:
+        place = bins if not 0 < whole <= MAX_BINS else degrees
+        raise PriorError(error.message, where=place.place) from None
+
+
 def _histogram(edges: _Field, counts: _Field) -> Prior:
     return PiecewisePrior.from_histogram(
         [edge.number() for edge in edges.items()], [count.number() for count in counts.items()]
@@ -225,6 +237,7 @@ _MAKERS: Final[dict[str, tuple[tuple[str, ...], Callable[..., Prior]]]] = {
     "uniform": ((), uniform_prior),
     "discrete": (("points",), _discrete),
     "measurements": (("degrees",), _measurements),
+    "binned measurements": (("degrees", "bins"), _binned),
     "histogram": (("edges", "counts"), _histogram),
     "piecewise": (("pieces",), _piecewise),
     "normal": (("mean", "sd"), lambda mean, sd: WrappedNormal(mean.number(), sd.number())),

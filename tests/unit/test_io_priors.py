@@ -99,6 +99,7 @@ class TestJson:
             ({"kind": "uniform"}, 1 / 4),
             ({"kind": "discrete", "points": [[0, "3/8"], ["90", 0.625]]}, 3 / 8),
             ({"kind": "measurements", "degrees": ["10.5", 20, 200, 300]}, 1 / 2),
+            ({"kind": "binned measurements", "degrees": [1, "44.5", 45, 200], "bins": 8}, 3 / 4),
             ({"kind": "histogram", "edges": [0, 180, 360], "counts": [3, 1]}, 3 / 8),
             ({"kind": "piecewise", "pieces": [[45, "90", 4]]}, 1 / 2),
             (
@@ -144,6 +145,9 @@ class TestJson:
             ({"kind": "discrete", "points": []}, PriorError, None, "no points"),
             ({"kind": "discrete", "points": [[0, "1/3"]]}, PriorError, None, "sum to 1/3"),
             ({"kind": "measurements", "degrees": []}, PriorError, None, ""),
+            ({"kind": "binned measurements", "degrees": [1], "bins": 0}, PriorError, "bins", "0 b"),
+            ({"kind": "binned measurements", "degrees": [1], "bins": 1.5}, PriorError, "bins", ""),
+            ({"kind": "binned measurements", "degrees": [], "bins": 8}, PriorError, "degrees", ""),
             ({"kind": "histogram", "edges": [9, 5], "counts": [1]}, PriorError, None, ""),
             ({"kind": "histogram", "edges": [1], "counts": [1]}, PriorError, None, ""),
             ({"kind": "piecewise", "pieces": [[0, 90, 1]]}, PriorError, None, "1/4"),
