@@ -6,7 +6,7 @@ from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
 from stochgeom.decision.costs import Number, expected_cost
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.decimals import Rounding, rational_decimal
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
@@ -155,7 +155,20 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
                 outcome.most_likely().decimal(digits),
             ]
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
-    return f"{title}\n{table(header, [rows[step] for step in steps])}"
+    lines = [title, table(header, [rows[step] for step in steps])]
+    if plan.prior is not None:
+        lines.append(_caught(plan, digits))
+    return "\n".join(lines)
+
+
+def _caught(plan: FeedingPlan, digits: int) -> str:
+    """Return where the mouth stands, which the first action aims at what the prior expects."""
+    mouth = plan.mouth
+    if mouth.width == FULL_TURN:
+        return "  catches every orientation"
+    low, high = mouth.start.degrees(digits, Rounding.UP), mouth.end.degrees(digits, Rounding.DOWN)
+    sure = " for sure" if plan.gripper_error else ""
+    return f"  catches{sure} what arrives from {low} to {high} degrees"
 
 
 def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:

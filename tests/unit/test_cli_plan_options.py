@@ -106,6 +106,15 @@ class TestPrior:
         assert plan["actions"][0]["low"] is None
         assert angle(plan["actions"][0]["angle"]) != Angle()
 
+    def test_where_the_mouth_stands(self, capsys):
+        square = ["--vertices", "0,0 1,0 1,1 0,1", "--prior", "normal:20,10"]
+        text = report(capsys, *square)
+        assert "  catches what arrives from 335.0000 to 425.0000 degrees\n" in text
+        text = report(capsys, *square, "--gripper-error", "20")
+        assert "  catches for sure what arrives from 355.0000 to 405.0000 degrees\n" in text
+        text = report(capsys, *HOUSE, "--action", "push-grasp", "--prior", "normal:20,90")
+        assert "  catches every orientation\n" in text
+
     def test_uniform_is_the_default(self, capsys):
         assert report(capsys, "house", "--prior", "uniform") == report(capsys, "house")
 
