@@ -12,6 +12,7 @@ from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.feeding.stability import stabilities
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
@@ -128,11 +129,13 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
     if problem.prior is not None:
         lines.append(f"prior: {problem.prior.describe()}")
     if problem.goal is not None:
-        final = ", ".join(
-            (transfer.values[k] % transfer.period).degrees(digits)
-            for k in problem.final_steps or ()
-        )
-        lines.append(f"goal: {_goal_words(problem)}, the final orientation at {final} degrees")
+        finals = [transfer.values[k] % transfer.period for k in problem.final_steps or ()]
+        angles = ", ".join(angle.degrees(digits) for angle in finals)
+        line = f"goal: {_goal_words(problem)}, the final orientation at {angles} degrees"
+        if part is not None:
+            psi = ", ".join(p.degrees(digits, Rounding.DOWN) for p in stabilities(part, finals))
+            line += f"; it bears a disturbance below {psi} degrees"
+        lines.append(line)
     return "\n".join(lines)
 
 

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 from stochgeom.errors import GoalError, NumberError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
-from stochgeom.feeding.stability import stable_grasps
-from stochgeom.transfer.squeeze import squeeze_function
+from stochgeom.feeding.stability import stabilities
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
@@ -95,9 +94,6 @@ def _most_stable(transfer: StepFunction, part: Part | None) -> tuple[int, ...]:
             "an angle",
             where="goal",
         )
-    # Every final orientation is a stable grasp, modulo the period of the squeeze function.
-    period = squeeze_function(part).period
-    stability = {grasp.orientation: grasp.stability for grasp in stable_grasps(part)}
-    found = [stability[value % period] for value in transfer.values]
+    found = stabilities(part, transfer.values)
     best = max(found)
     return tuple(k for k, value in enumerate(found) if value == best)

@@ -125,7 +125,8 @@ class TestPrior:
 class TestGoal:
     def test_by_angle(self, capsys):
         text = report(capsys, "rectangle", "--goal", "90")
-        assert "goal: 90, the final orientation at 90.0000 degrees" in text
+        assert "goal: 90, the final orientation at 90.0000 degrees; it bears a disturbance" in text
+        assert " below 33.6900 degrees\n" in text
         found = document(capsys, "rectangle", "--goal", "90.3")
         assert [goal["degrees"] for goal in found["goal"]] == ["90.0000"]
 
