@@ -307,7 +307,8 @@ def _informative(prior: Prior) -> Prior | None:
 
     if not isinstance(prior, Prior):
         raise PriorError(
-            f"{prior!r:.60} is no prior; accepted: one, such as WrappedNormal('30', '12')",
+            f"{prior!r:.60} is no prior; accepted: one, such as WrappedNormal('30', '12'), or "
+            "CallablePrior of a function",
             where="prior",
         )
     return None if prior.kind == "uniform" else prior
