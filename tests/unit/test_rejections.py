@@ -242,6 +242,7 @@ class TestBadInput:
 # --- cells ---------------------------------------------------------------------------------------
 
 
+@settings(max_examples=60)
 @given(st.lists(arcs(), max_size=4), st.integers(1, 6))
 def test_no_mouth_cuts_a_cell_between_mouths(mouths, bins):
     cells = cells_between(mouths, bins)
