@@ -81,7 +81,10 @@ def error_text(
         else:
             least, most = _printed_margin(plan, digits), bound.degrees(digits)
             middles = "" if least == most else f", and {most} at the middles of its ranges"
-            lines.append(f"{name} bears every gripper error below {least} degrees{middles}.")
+            line = f"{name} bears every gripper error below {least} degrees{middles}"
+            if plan.prior is not None and not plan.gripper_error and plan.mouth.width != FULL_TURN:
+                line += "; one of the first turn moves the mouth"
+            lines.append(f"{line}.")
     if problem.gripper_error is not None:
         lines.append(_largest_error(problem, complete=geometric is not None, digits=digits))
     return "\n".join(lines)

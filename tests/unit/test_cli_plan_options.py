@@ -115,6 +115,12 @@ class TestPrior:
         text = report(capsys, *HOUSE, "--action", "push-grasp", "--prior", "normal:20,90")
         assert "  catches every orientation\n" in text
 
+    def test_an_error_of_the_first_turn(self, capsys):
+        options = ["rectangle", "--prior", "normal:20,60", "--cost-ratio", "9"]
+        moves = "below 11.3099 degrees; one of the first turn moves the mouth."
+        assert moves in report(capsys, *options)
+        assert moves not in report(capsys, *options, "--gripper-error", "1")
+
     def test_uniform_is_the_default(self, capsys):
         assert report(capsys, "house", "--prior", "uniform") == report(capsys, "house")
 
