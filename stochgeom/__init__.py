@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from stochgeom.decision.hyperstates import Hyperstate
     from stochgeom.decision.mixture_prior import MixturePrior
     from stochgeom.decision.piecewise_prior import PiecewisePrior
-    from stochgeom.decision.prior_estimates import PriorEstimate
+    from stochgeom.decision.prior_estimates import PriorEstimate, cells_between
     from stochgeom.decision.priors import Prior, Window, uniform_prior
     from stochgeom.decision.rejections import Observation, Rejections
     from stochgeom.errors import StochgeomError
@@ -75,6 +75,7 @@ _HOMES = {
     "Prior": "decision.priors",
     "PriorEstimate": "decision.prior_estimates",
     "Rejections": "decision.rejections",
+    "cells_between": "decision.prior_estimates",
     "VonMises": "decision.density_priors",
     "Window": "decision.priors",
     "WrappedNormal": "decision.density_priors",
@@ -184,6 +185,7 @@ __all__ = [
     "antipodal_pairs",
     "catalogue_names",
     "catalogue_part",
+    "cells_between",
     "check_claim",
     "convex_hull",
     "exact_scalar",
