@@ -1,0 +1,173 @@
+"""The uniform pushing model: every length of the push is equally likely (thesis App. C).
+
+Let s be the stable orientation ahead of an initial orientation theta_1, and u the unstable one
+behind it. The model takes the orientation theta_2 at which the second jaw touches as uniform
+between theta_1 and s. For a random theta_1, and with x the way from s to theta_2 and L that from s
+to u, the density of theta_2 is
+
+    f(theta_2) = ln(L / x)   for each full turn                             (Eq. C.4)
+
+and its integral from x = a to x = b is F(b) - F(a), in full turns, with
+
+    F(x) = x + x ln(L / x),   F(0) = 0,   F(L) = L.                         (Eq. C.7)
+
+Integrated over the orientations that a squeeze brings to a stable one, this bounds P(stable) more
+tightly than Eq. 3.13. Each jaw is the first one with probability 1/2. All numbers are rational
+combinations of angles and of such logarithms: exact where no logarithm is left, and otherwise
+enclosed by balls as tightly as asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import final
+
+from gmpy2 import mpq
+
+from stochgeom.decision.probabilities import Atom, Enclosed
+from stochgeom.errors import InputError
+from stochgeom.exact.angles import Angle
+from stochgeom.exact.balls import Ball
+from stochgeom.exact.cells import CellSet, merge
+from stochgeom.exact.sums import AngleSum, Probability
+from stochgeom.grasping.grasp_diagram import GraspDiagram
+from stochgeom.grasping.push_stability import PushStability
+from stochgeom.grasping.squeeze_stability import StableEdge
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Logarithm:
+    """The number x ln(L / x), in full turns, for 0 < x < L."""
+
+    x: Angle
+    length: Angle
+
+    def ball(self) -> Ball:
+        """Return an Arb ball around the number, at the working precision."""
+        x = self.x.ball()
+        return x * (self.length.ball() / x).log()
+
+
+def density_after_push(push: PushStability, theta: Angle) -> Probability:
+    """Return the density of the orientation at which the second jaw touches (Eq. C.4).
+
+    For a random initial orientation and one known jaw that touches first, for each full turn: a
+    uniform one is 1. At an unstable equilibrium it is 0.
+
+    Raises
+    ------
+    InputError
+        At a stable orientation, where the density is infinite.
+
+    Examples
+    --------
+    >>> square = PushStability([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> density_after_push(square, Angle.from_degrees("22.5")).decimal(6)
+    '0.693147'
+    """
+    valley = push.valley_of(theta)
+    end = valley.high if theta > valley.stable else valley.low
+    if theta == valley.stable:
+        raise InputError(f"the density at the stable orientation {theta.reduced()} is infinite")
+    if theta == valley.low:
+        return AngleSum(0)
+    x, length = theta - valley.stable, end - valley.stable
+    return Enclosed.of(lambda: (length.ball() / x.ball()).log(), key=("ln", x, length))
+
+
+def mass_after_push(push: PushStability, target: CellSet) -> Probability:
+    """Return the probability that the second jaw touches in a set, if this jaw touches first.
+
+    The integral of Eq. C.4 over the set, by Eq. C.7.  O(k).
+
+    Examples
+    --------
+    >>> square = PushStability([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> mass_after_push(square, CellSet.whole()).rational
+    mpq(1,1)
+    """
+    marks = sorted({*push.stable, *push.unstable})
+    angles = merge(marks, target.angles)
+    _, arcs = target.on(angles)
+    place = {angle: k for k, angle in enumerate(angles)}
+    constant: list[tuple[int, Angle]] = []
+    atoms: list[tuple[int, Atom]] = []
+    for valley in push.valleys:
+        for end, step in ((valley.low, -1), (valley.high, 1)):
+            first, last = place[valley.stable], place[end.reduced()]
+            length = (end - valley.stable) if step > 0 else (valley.stable - end)
+            for k, sign in _ends_of_runs(arcs, first, last, step):
+                x = _way(valley.stable, angles[k], step)
+                # A run that ends where the next valley begins may be a whole turn away.
+                x = length if k == last and sign > 0 else x
+                constant.append((sign, x))
+                if x and x != length:
+                    term = Logarithm(x, length)
+                    atoms.append((sign, Atom(term, term.ball)))
+    exact = AngleSum(0, constant)
+    return Enclosed(atoms, exact) if atoms else exact
+
+
+def _way(start: Angle, end: Angle, step: int) -> Angle:
+    return (end - start if step > 0 else start - end).reduced()
+
+
+def _ends_of_runs(
+    arcs: Sequence[bool], first: int, last: int, step: int
+) -> Iterator[tuple[int, int]]:
+    """Yield where a run of arcs of a set begins (-1) or ends (1), on the way between two places."""
+    m, k, inside = len(arcs), first, False
+    while True:
+        arc = arcs[k if step > 0 else k - 1]
+        if arc != inside:
+            yield k, -1 if arc else 1
+            inside = arc
+        k = (k + step) % m
+        if k == last:
+            break
+    if inside:
+        yield last, 1
+
+
+def pushing_bound(diagram: GraspDiagram) -> Probability:
+    """Return the lower bound on P(stable) of a random grasp under the uniform pushing model.
+
+    Thesis App. C. The preimage is that under the squeeze alone: a part that is not wedged when the
+    second jaw touches ends stable. Half a turn on the jaws are exchanged, so both have the same
+    probability, and one of them is computed.  O(n).
+
+    Examples
+    --------
+    >>> pushing_bound(GraspDiagram([(0, 0), (3, 0), (3, 2), (0, 2)], "0.25")).decimal(6)
+    '0.940441'
+    """
+    return mass_after_push(diagram.lower, ~diagram.wedged_set)
+
+
+def pushing_bounds(diagram: GraspDiagram) -> tuple[tuple[StableEdge, Probability], ...]:
+    """Return the bound for each stable orientation; together they make `pushing_bound`.
+
+    O(n) for each. The two jaws are averaged.
+
+    Examples
+    --------
+    >>> square = GraspDiagram([(0, 0), (1, 0), (1, 1), (0, 1)], "0.25")
+    >>> [bound.decimal() for _, bound in pushing_bounds(square)]
+    ['0.2363', '0.2363', '0.2363', '0.2363']
+    """
+    found = []
+    for edge in diagram.stable:
+        target = diagram.squeeze.weak_preimage(CellSet.at([edge.orientation]))
+        both = [mass_after_push(push, target) for push in diagram.jaws]
+        found.append((edge, average(both)))
+    return tuple(found)
+
+
+def average(numbers: Sequence[Probability]) -> Probability:
+    """Return the mean of some probabilities, exact if all of them are."""
+    total = AngleSum()
+    for number in numbers:
+        total = total + number  # type: ignore[operator]
+    return total.scaled(mpq(1, len(numbers)))
