@@ -8,7 +8,7 @@ from typing import Final, final
 import flint
 from gmpy2 import mpq, mpz
 
-from stochgeom.errors import PriorError
+from stochgeom.errors import PrecisionLimitError, PriorError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import START_BITS, Ball, full_turn_ball, working_precision
 from stochgeom.exact.decimals import check_digits, rational_decimal
@@ -54,7 +54,8 @@ class FrictionLimit:
                 return rational_decimal(mpq(int(whole), scale), digits)
             bits *= 2
         # Undecided as the number is close to a decimal, or one: that is compared exactly.
-        assert near is not None
+        if near is None:
+            raise PrecisionLimitError(f"{digits} decimals of a friction are undecided")
         below = self.compare(mpq(near, scale)) < 0
         return rational_decimal(mpq(near - below, scale), digits)
 
@@ -79,7 +80,10 @@ class FrictionLimit:
         return self.decimal()
 
 
-def _nearest_whole(ball: Ball) -> int:
+def _nearest_whole(ball: Ball) -> int | None:
+    """Return the whole number in a narrow ball that holds one, None if the ball is wide."""
+    if not ball.rad() < flint.arb(1) / 4:
+        return None
     return int((ball.mid() + flint.arb(1) / 2).mid().floor().unique_fmpz())
 
 

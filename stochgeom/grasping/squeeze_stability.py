@@ -18,7 +18,7 @@ of a wedging interval only where an edge that friction holds lies flush, and sto
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Final, TypeAlias, final
@@ -263,17 +263,18 @@ class SqueezeStability:
         >>> square.outcomes(Angle.from_degrees(45)), square.outcomes(Angle.from_degrees(60))
         ((None,), (Angle(0, (0, 1)),))
         """
-        found = self._outcomes_at(theta.reduced())
+        found = self.outcomes_at(theta.reduced())
         return tuple(None if k == WEDGED else self.contacts.starts[k] for k in found)
 
-    def _outcomes_at(self, theta: Angle) -> Outcomes:
+    def outcomes_at(self, theta: Angle) -> Outcomes:
+        """Return the outcomes of an orientation in [0, 360) degrees, by numbers."""
         k = bisect_right(self.angles, theta) - 1
         return self._points[k] if k >= 0 and self.angles[k] == theta else self._arcs[k]
 
     def motion(self, theta: Angle) -> Motion:
         """Return how a part turns that both jaws touch in an orientation."""
         place = theta.reduced()
-        found = self._outcomes_at(place)
+        found = self.outcomes_at(place)
         if len(found) == 2:
             return Motion.UNSTABLE
         if found == (WEDGED,):
@@ -285,21 +286,30 @@ class SqueezeStability:
         ahead = (target - place).reduced()
         return Motion.COUNTERCLOCKWISE if ahead < FULL_TURN - ahead else Motion.CLOCKWISE
 
+    def outcome_numbers(self, angles: Sequence[Angle]) -> list[Outcomes]:
+        """Return the outcomes of the arcs after finer critical orientations, by numbers.  O(k).
+
+        Parameters
+        ----------
+        angles : sequence of Angle
+            Increasing in [0, 360) degrees, `angles` of the diagram among them.
+        """
+        found, k = [], -1  # before the first critical orientation runs the last arc
+        for angle in angles:
+            if k + 1 < len(self.angles) and self.angles[k + 1] == angle:
+                k += 1
+            found.append(self._arcs[k])
+        return found
+
     # --- images and preimages --------------------------------------------------------------------
 
     def image(self, orientations: CellSet) -> CellSet:
         """Return all final orientations that a squeeze from a set may end in.  O(k)."""
         angles = merge(self.angles, orientations.angles)
-        points, arcs = orientations.on(angles)
         reached: set[int] = set()
-        k = -1  # before the first critical orientation runs the last arc
-        for angle, point, arc in zip(angles, points, arcs, strict=True):
-            if k + 1 < len(self.angles) and self.angles[k + 1] == angle:
-                k += 1
-                here = self._points[k]
-            else:
-                here = self._arcs[k]
-            reached.update(here if point else (), self._arcs[k] if arc else ())
+        found = zip(angles, *orientations.on(angles), self.outcome_numbers(angles), strict=True)
+        for angle, point, arc, after in found:
+            reached.update(self.outcomes_at(angle) if point else (), after if arc else ())
         reached.discard(WEDGED)
         resting = CellSet.at(self.contacts.starts[p] for p in reached)
         return resting | (self.wedged & orientations)
