@@ -107,7 +107,7 @@ class Prior(ABC):
 
         Examples
         --------
-        >>> from stochgeom.exact.cells import Interval
+        >>> from stochgeom.exact.intervals import Interval
         >>> half = CellSet.of([Interval(ZERO, Angle.from_degrees(180), False, True)])
         >>> uniform_prior().mass_of(half).rational
         mpq(1,2)

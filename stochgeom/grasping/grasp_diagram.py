@@ -25,8 +25,9 @@ from numpy.typing import NDArray
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InvalidAngleError, OutcomeError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
-from stochgeom.exact.cells import CellSet, Interval
+from stochgeom.exact.cells import CellSet
 from stochgeom.exact.halves import HalfAngle
+from stochgeom.exact.intervals import Interval
 from stochgeom.exact.sums import AngleSum, Probability
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.geometry.points import PointLike
@@ -223,7 +224,9 @@ class GraspDiagram:
         >>> best.margin.degrees(), best.grasp_angle.degrees(0), best.attained
         ('30.9638', '0', True)
         """
-        found = tuple(GraspTolerance(item) for item in self.guaranteed.widest())
+        if self.guaranteed.is_whole:  # any grasp does: gripper and part in line
+            return (GraspTolerance(Interval(-HALF_TURN, FULL_TURN, True, True)),)
+        found = [GraspTolerance(item) for item in self.guaranteed.widest()]
         return tuple(sorted(found, key=lambda item: item.grasp_angle))
 
     def grasps_bearing(self, tolerance: Angle) -> CellSet:

@@ -118,7 +118,7 @@ class UncertainGrasps:
     (4, 28, '0.0596')
     >>> plan = grasps.best_plan(2)
     >>> plan.actions[0].angle.degrees(0), plan.probability.decimal()
-    ('0', '0.3246')
+    ('45', '0.4417')
     """
 
     def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any], mu: FrictionLike) -> None:
