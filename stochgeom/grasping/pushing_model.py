@@ -19,7 +19,7 @@ enclosed by balls as tightly as asked.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import final
 
@@ -92,8 +92,7 @@ def mass_after_push(push: PushStability, target: CellSet) -> Probability:
     angles = merge(marks, target.angles)
     _, arcs = target.on(angles)
     place = {angle: k for k, angle in enumerate(angles)}
-    constant: list[tuple[int, Angle]] = []
-    atoms: list[tuple[int, Atom]] = []
+    ends: list[tuple[int, Angle, Angle]] = []
     for valley in push.valleys:
         for end, step in ((valley.low, -1), (valley.high, 1)):
             first, last = place[valley.stable], place[end.reduced()]
@@ -102,11 +101,37 @@ def mass_after_push(push: PushStability, target: CellSet) -> Probability:
                 x = _way(valley.stable, angles[k], step)
                 # A run that ends where the next valley begins may be a whole turn away.
                 x = length if k == last and sign > 0 else x
-                constant.append((sign, x))
-                if x and x != length:
-                    term = Logarithm(x, length)
-                    atoms.append((sign, Atom(term, term.ball)))
-    exact = AngleSum(0, constant)
+                ends.append((sign, x, length))
+    return sum_of_integrals(0, ends)
+
+
+def sum_of_integrals(
+    constant: int, ends: Iterable[tuple[int, Angle, Angle]]
+) -> AngleSum | Enclosed:
+    """Return a constant plus the sum of weight * F(x), exact if no logarithm is left.
+
+    Parameters
+    ----------
+    constant : int
+        What is added.
+    ends : iterable of (int, Angle, Angle)
+        Weights, ways x in [0, L], and L.
+
+    Examples
+    --------
+    >>> right = Angle.from_degrees(90)
+    >>> sum_of_integrals(1, [(-1, right, right), (2, Angle(), right)]).rational
+    mpq(3,4)
+    """
+    terms: list[tuple[int, Angle]] = []
+    weights: dict[Logarithm, int] = {}
+    for weight, x, length in ends:
+        terms.append((weight, x))
+        if x and x != length:
+            number = Logarithm(x, length)
+            weights[number] = weights.get(number, 0) + weight
+    exact = AngleSum(constant, terms)
+    atoms = [(weight, Atom(number, number.ball)) for number, weight in weights.items() if weight]
     return Enclosed(atoms, exact) if atoms else exact
 
 

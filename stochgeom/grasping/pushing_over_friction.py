@@ -17,7 +17,7 @@ import flint
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.decision.probabilities import Atom, Enclosed
+from stochgeom.decision.probabilities import Enclosed
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.balls import Ball, ball_sign, rational_ball
 from stochgeom.exact.scalars import RationalLike
@@ -30,7 +30,7 @@ from stochgeom.grasping.contacts import Contacts, contacts_of
 from stochgeom.grasping.friction import Friction, FrictionLike
 from stochgeom.grasping.friction_limits import FrictionLimit, as_probability
 from stochgeom.grasping.push_stability import PushStability
-from stochgeom.grasping.pushing_model import Logarithm
+from stochgeom.grasping.pushing_model import sum_of_integrals
 
 
 @final
@@ -110,16 +110,9 @@ class PushingBound:
 
     def _value(self, alpha: Angle) -> Probability:
         k = max(0, bisect_left(self._starts, alpha) - 1)
-        constant: list[tuple[int, Angle]] = []
-        atoms: list[tuple[int, Atom]] = []
-        for end, weight in self._ends[k].items():
-            x = end.way(alpha)
-            constant.append((-weight, x))
-            if x and x != end.length:
-                term = Logarithm(x, end.length)
-                atoms.append((-weight, Atom(term, term.ball)))
-        exact = AngleSum(1, constant)
-        return Enclosed(atoms, exact) if atoms else exact
+        return sum_of_integrals(
+            1, ((-weight, end.way(alpha), end.length) for end, weight in self._ends[k].items())
+        )
 
     def largest_friction(self, probability: RationalLike) -> FrictionLimit | None:
         """Return the largest friction for which the bound is at least a given probability.
