@@ -287,7 +287,7 @@ class UncertainGrasps:
             raise InputError(f"{most_steps} grasps; accepted: 1 or more")
         best: UncertainPlan | None = None
         for plan in plans:
-            if float(plan.probability) <= 0:
+            if not _is_positive(plan.probability):
                 continue
             # (i + c) / p < (j + c) / q  iff  (j + c) p > (i + c) q
             if best is None or _exceeds(
@@ -300,6 +300,11 @@ class UncertainGrasps:
 
     def __repr__(self) -> str:
         return f"UncertainGrasps({self.diagram.part!r}, {self.diagram.friction.angle!r})"
+
+
+def _is_positive(number: Probability) -> bool:
+    with working_precision(COMPARE_BITS[-1]):
+        return bool(number.ball() > 0)
 
 
 def _exceeds(first: Probability, second: Probability) -> bool:
