@@ -62,6 +62,9 @@ class CellSet:
         self, angles: Sequence[Angle], points: Sequence[bool], arcs: Sequence[bool]
     ) -> None:
         _check(angles, points, arcs)
+        self._fill(angles, points, arcs)
+
+    def _fill(self, angles: Sequence[Angle], points: Sequence[bool], arcs: Sequence[bool]) -> None:
         kept = [k for k in range(len(angles)) if not arcs[k - 1] == points[k] == arcs[k]]
         store = object.__setattr__
         store(self, "angles", tuple(angles[k] for k in kept))
@@ -69,6 +72,15 @@ class CellSet:
         store(self, "arcs", tuple(bool(arcs[k]) for k in kept) or (bool(arcs[0]),))
 
     # --- makers ----------------------------------------------------------------------------------
+
+    @classmethod
+    def unchecked(
+        cls, angles: Sequence[Angle], points: Sequence[bool], arcs: Sequence[bool]
+    ) -> CellSet:
+        """Return a set of cells that are known to be well formed: what the class itself checks."""
+        cells = object.__new__(cls)
+        cells._fill(angles, points, arcs)
+        return cells
 
     @classmethod
     def empty(cls) -> CellSet:
@@ -209,7 +221,8 @@ class CellSet:
     # --- algebra ---------------------------------------------------------------------------------
 
     def __invert__(self) -> CellSet:
-        return CellSet(self.angles, [not p for p in self.points], [not a for a in self.arcs])
+        points, arcs = [not p for p in self.points], [not a for a in self.arcs]
+        return CellSet.unchecked(self.angles, points, arcs)
 
     def __or__(self, other: CellSet) -> CellSet:
         return self._combine(other, lambda a, b: a or b)
@@ -232,7 +245,7 @@ class CellSet:
         mine, theirs = self.on(angles), other.on(angles)
         points = [rule(a, b) for a, b in zip(mine[0], theirs[0], strict=True)]
         arcs = [rule(a, b) for a, b in zip(mine[1], theirs[1], strict=True)]
-        return CellSet(angles, points, arcs)
+        return CellSet.unchecked(angles, points, arcs)
 
     def on(self, angles: Sequence[Angle]) -> tuple[list[bool], list[bool]]:
         """Return the Booleans of the cells that finer critical orientations make.  O(k).

@@ -114,6 +114,23 @@ class PushStability:
         """The unstable equilibria, vertex under centre of mass, increasing in [0, 360) degrees."""
         return tuple(sorted(valley.high.reduced() for valley in self.valleys))
 
+    @cached_property
+    def critical(self) -> tuple[Angle, ...]:
+        """The stable and the unstable orientations, increasing in [0, 360) degrees."""
+        return tuple(sorted({*self.stable, *self.unstable}))
+
+    @cached_property
+    def sides(self) -> tuple[tuple[Angle, Angle, int], ...]:
+        """(stable, unstable, step) for both sides of each valley, step -1 downwards and 1 upwards.
+
+        Both orientations are in [0, 360) degrees.
+        """
+        return tuple(
+            (valley.stable, end.reduced(), step)
+            for valley in self.valleys
+            for end, step in ((valley.low, -1), (valley.high, 1))
+        )
+
     def valley_of(self, theta: Angle) -> Valley:
         """Return the valley that holds an orientation, moved by full turns so that it does.
 
@@ -158,14 +175,12 @@ class PushStability:
         All of a valley from the first cell of the set on, counted from the stable orientation
         outwards.
         """
-        marks = sorted({*self.stable, *self.unstable})
-        angles = merge(marks, target.angles)
+        angles = merge(self.critical, target.angles)
         place = {angle: k for k, angle in enumerate(angles)}
         sweep = _Sweep(*target.on(angles))
-        for valley in self.valleys:
-            sweep.outwards(place[valley.stable], place[valley.low.reduced()], -1)
-            sweep.outwards(place[valley.stable], place[valley.high.reduced()], 1)
-        return CellSet(angles, sweep.points, sweep.arcs)
+        for stable, unstable, step in self.sides:
+            sweep.outwards(place[stable], place[unstable], step)
+        return CellSet.unchecked(angles, sweep.points, sweep.arcs)
 
     def __repr__(self) -> str:
         return f"PushStability({self.part!r}, {self.jaw})"

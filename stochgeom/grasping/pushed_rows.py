@@ -48,14 +48,13 @@ class PushedRows:
 
     def __init__(self, push: PushStability, squeeze: SqueezeStability) -> None:
         self._push, self._squeeze = push, squeeze
-        angles = merge(sorted({*push.stable, *push.unstable}), squeeze.angles)
+        angles = merge(push.critical, squeeze.angles)
         place = {angle: k for k, angle in enumerate(angles)}
         outcomes = squeeze.outcome_numbers(angles)
         self._ways: dict[tuple[Angle, int], list[tuple[Angle, int]]] = {}
-        for valley in push.valleys:
-            for end, step in ((valley.low, -1), (valley.high, 1)):
-                first, last = place[valley.stable], place[end.reduced()]
-                self._ways[valley.stable, step] = _way(angles, outcomes, first, last, step)
+        for stable, unstable, step in push.sides:
+            way = _way(angles, outcomes, place[stable], place[unstable], step)
+            self._ways[stable, step] = way
 
     def shares(self, theta: Angle) -> dict[int, tuple[Angle, Angle]]:
         """Return for each outcome with a positive share (part, whole), two angles.

@@ -88,20 +88,14 @@ def mass_after_push(push: PushStability, target: CellSet) -> Probability:
     >>> mass_after_push(square, CellSet.whole()).rational
     mpq(1,1)
     """
-    marks = sorted({*push.stable, *push.unstable})
-    angles = merge(marks, target.angles)
+    angles = merge(push.critical, target.angles)
     _, arcs = target.on(angles)
     place = {angle: k for k, angle in enumerate(angles)}
     ends: list[tuple[int, Angle, Angle]] = []
-    for valley in push.valleys:
-        for end, step in ((valley.low, -1), (valley.high, 1)):
-            first, last = place[valley.stable], place[end.reduced()]
-            length = (end - valley.stable) if step > 0 else (valley.stable - end)
-            for k, sign in _ends_of_runs(arcs, first, last, step):
-                x = _way(valley.stable, angles[k], step)
-                # A run that ends where the next valley begins may be a whole turn away.
-                x = length if k == last and sign > 0 else x
-                ends.append((sign, x, length))
+    for stable, unstable, step in push.sides:
+        length = _way(stable, unstable, step)
+        for k, sign in _ends_of_runs(arcs, place[stable], place[unstable], step):
+            ends.append((sign, _way(stable, angles[k], step), length))
     return sum_of_integrals(0, ends)
 
 
@@ -124,15 +118,13 @@ def sum_of_integrals(
     mpq(3,4)
     """
     terms: list[tuple[int, Angle]] = []
-    weights: dict[Logarithm, int] = {}
+    atoms: list[tuple[int, Atom]] = []
     for weight, x, length in ends:
         terms.append((weight, x))
         if x and x != length:
             number = Logarithm(x, length)
-            weights[number] = weights.get(number, 0) + weight
-    exact = AngleSum(constant, terms)
-    atoms = [(weight, Atom(number, number.ball)) for number, weight in weights.items() if weight]
-    return Enclosed(atoms, exact) if atoms else exact
+            atoms.append((weight, Atom(number, number.ball)))
+    return Enclosed(atoms, AngleSum(constant, terms)).simplified()
 
 
 def _way(start: Angle, end: Angle, step: int) -> Angle:

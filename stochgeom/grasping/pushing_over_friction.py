@@ -98,6 +98,7 @@ class PushingBound:
         push = PushStability(RadiusFunction(self.part))
         contacts = contacts_of(DiameterFunction(self.part))
         self._starts, self._ends = _add_up(_changes(push, contacts))
+        self._found: dict[int, tuple[AngleSum | Enclosed, list[tuple[WedgeEnd, int]]]] = {}
 
     @property
     def breakpoints(self) -> tuple[Angle, ...]:
@@ -110,9 +111,22 @@ class PushingBound:
 
     def _value(self, alpha: Angle) -> Probability:
         k = max(0, bisect_left(self._starts, alpha) - 1)
-        return sum_of_integrals(
-            1, ((-weight, end.way(alpha), end.length) for end, weight in self._ends[k].items())
-        )
+        fixed, moving = self._parts(k)
+        if not moving:
+            return fixed
+        rest = sum_of_integrals(0, ((-w, end.way(alpha), end.length) for end, w in moving))
+        total: Any = fixed + rest
+        return total.simplified() if isinstance(total, Enclosed) else AngleSum.of(total)
+
+    def _parts(self, k: int) -> tuple[AngleSum | Enclosed, list[tuple[WedgeEnd, int]]]:
+        """Return 1 less what stands still in a piece, and the ends that move; kept."""
+        found = self._found.get(k)
+        if found is None:
+            ends = self._ends[k].items()
+            still = ((-w, end.base, end.length) for end, w in ends if not end.slope)
+            moving = [(end, weight) for end, weight in ends if end.slope]
+            found = self._found[k] = sum_of_integrals(1, still), moving
+        return found
 
     def largest_friction(self, probability: RationalLike) -> FrictionLimit | None:
         """Return the largest friction for which the bound is at least a given probability.

@@ -248,7 +248,8 @@ class SqueezeStability:
 
     def _where(self, holds: Callable[[Outcomes, Angle | None], bool]) -> CellSet:
         points = [holds(o, angle) for angle, o in zip(self.angles, self._points, strict=True)]
-        return CellSet(self.angles, points, [holds(outcomes, None) for outcomes in self._arcs])
+        arcs = [holds(outcomes, None) for outcomes in self._arcs]
+        return CellSet.unchecked(self.angles, points, arcs)
 
     # --- questions about one orientation ---------------------------------------------------------
 

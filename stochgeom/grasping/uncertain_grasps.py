@@ -137,7 +137,7 @@ class UncertainGrasps:
         diagram = self.diagram
         critical = {*diagram.squeeze.angles}
         for push in diagram.jaws:
-            critical |= {*push.stable, *push.unstable}
+            critical.update(push.critical)
         ends = sorted(
             {(edge.orientation - theta).reduced() for edge in self.states for theta in critical}
         )
