@@ -9,7 +9,7 @@ x = base + k alpha. It is continuous, falls from 1 at mu = 0 and comes to 0 wher
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Final, final
 
@@ -17,7 +17,7 @@ import flint
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.decision.probabilities import Enclosed
+from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.balls import Ball, ball_sign, rational_ball
 from stochgeom.exact.scalars import RationalLike
@@ -56,10 +56,58 @@ class WedgeEnd:
         """Return x, in [0, L]."""
         return self.base + alpha * self.slope
 
-    def integral_ball(self, alpha: Ball) -> Ball:
-        """Return a ball around F(x) for alpha in full turns, 0 < x < L."""
-        x = self.base.ball() + alpha * self.slope
-        return x + x * (self.length.ball() / x).log()
+
+@final
+class _Formula:
+    """The bound between two breakpoints: 1 less the sum of weight * F(x) over its ends."""
+
+    def __init__(self, ends: Mapping[WedgeEnd, int]) -> None:
+        self._ends = ends
+        # F(x) = x where x is 0 or L; all others have a logarithm.
+        self._logs = [
+            (end, weight)
+            for end, weight in ends.items()
+            if end.slope or (end.base and end.base != end.length)
+        ]
+        self._constant = AngleSum(1, [(-weight, end.base) for end, weight in ends.items()])
+        self._slope = -sum(weight * end.slope for end, weight in ends.items())
+        self._balls: dict[int, tuple[Ball, list[tuple[int, int, Ball, Ball]]]] = {}
+        self.moves = any(end.slope for end in ends)
+
+    def at_breakpoint(self, alpha: Angle) -> Probability:
+        """Return the value for any alpha, where ends may have come to 0 or L too."""
+        ends = self._ends.items()
+        return sum_of_integrals(1, ((-w, end.way(alpha), end.length) for end, w in ends))
+
+    def between(self, alpha: Angle) -> Probability:
+        """Return the value for an alpha between the breakpoints."""
+        if not self._logs:
+            return self._constant + AngleSum(0, [(self._slope, alpha)])
+        key = ("pushing bound", id(self), alpha if self.moves else None)
+        return Enclosed([(1, Atom(key, lambda: self.ball(alpha.ball())))])
+
+    def ball(self, alpha: Ball) -> Ball:
+        """Return a ball around the value for alpha in full turns, between the breakpoints."""
+        still, moving = self._balls_of(flint.ctx.prec)
+        total = still + alpha * self._slope
+        for weight, slope, base, length in moving:
+            x = base + alpha * slope
+            total += x * (length / x).log() * weight
+        return total
+
+    def _balls_of(self, bits: int) -> tuple[Ball, list[tuple[int, int, Ball, Ball]]]:
+        """Return what does not depend on alpha, and the rest, at a working precision; kept."""
+        found = self._balls.get(bits)
+        if found is None:
+            total, moving = self._constant.ball(), []
+            for end, weight in self._logs:
+                base, length = end.base.ball(), end.length.ball()
+                if end.slope:
+                    moving.append((-weight, end.slope, base, length))
+                else:
+                    total -= base * (length / base).log() * weight
+            found = self._balls[bits] = total, moving
+        return found
 
 
 _Weights = dict[WedgeEnd, int]
@@ -98,7 +146,8 @@ class PushingBound:
         push = PushStability(RadiusFunction(self.part))
         contacts = contacts_of(DiameterFunction(self.part))
         self._starts, self._ends = _add_up(_changes(push, contacts))
-        self._found: dict[int, tuple[AngleSum | Enclosed, list[tuple[WedgeEnd, int]]]] = {}
+        self._formulas: dict[int, _Formula] = {}  # asked for so far
+        self._still: dict[int, Probability] = {}  # values of formulas that no friction changes
 
     @property
     def breakpoints(self) -> tuple[Angle, ...]:
@@ -110,23 +159,20 @@ class PushingBound:
         return self._value(Friction.of(mu).angle)
 
     def _value(self, alpha: Angle) -> Probability:
-        k = max(0, bisect_left(self._starts, alpha) - 1)
-        fixed, moving = self._parts(k)
-        if not moving:
-            return fixed
-        rest = sum_of_integrals(0, ((-w, end.way(alpha), end.length) for end, w in moving))
-        total: Any = fixed + rest
-        return total.simplified() if isinstance(total, Enclosed) else AngleSum.of(total)
+        k = bisect_left(self._starts, alpha)
+        if k < len(self._starts) and self._starts[k] == alpha:
+            return self._formula(max(0, k - 1)).at_breakpoint(alpha)
+        formula = self._formula(k - 1)
+        if formula.moves:
+            return formula.between(alpha)
+        if k - 1 not in self._still:
+            self._still[k - 1] = formula.between(alpha)
+        return self._still[k - 1]
 
-    def _parts(self, k: int) -> tuple[AngleSum | Enclosed, list[tuple[WedgeEnd, int]]]:
-        """Return 1 less what stands still in a piece, and the ends that move; kept."""
-        found = self._found.get(k)
-        if found is None:
-            ends = self._ends[k].items()
-            still = ((-w, end.base, end.length) for end, w in ends if not end.slope)
-            moving = [(end, weight) for end, weight in ends if end.slope]
-            found = self._found[k] = sum_of_integrals(1, still), moving
-        return found
+    def _formula(self, k: int) -> _Formula:
+        if k not in self._formulas:
+            self._formulas[k] = _Formula(self._ends[k])
+        return self._formulas[k]
 
     def largest_friction(self, probability: RationalLike) -> FrictionLimit | None:
         """Return the largest friction for which the bound is at least a given probability.
@@ -180,14 +226,8 @@ class PushingBound:
         return low.union(high)
 
     def _sign(self, k: int, turns: mpq, least: mpq) -> int:
-        alpha = rational_ball(turns)
-        total = rational_ball(1 - least)
-        for end, weight in self._ends[k].items():
-            if end.slope == 0 and (not end.base or end.base == end.length):
-                total -= weight * end.base.ball()
-            else:
-                total -= weight * end.integral_ball(alpha)
-        return ball_sign(total) or _UNDECIDED
+        value = self._formula(k).ball(rational_ball(turns)) - rational_ball(least)
+        return ball_sign(value) or _UNDECIDED
 
     def __repr__(self) -> str:
         return f"PushingBound({self.part!r})"
