@@ -9,6 +9,7 @@ from stochgeom.cli.grasp_text import grasp_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_command import read_part
+from stochgeom.cli.progress import Progress
 from stochgeom.errors import FrictionError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import rational
@@ -78,6 +79,9 @@ def run(arguments: argparse.Namespace) -> int:
         prior=None if arguments.prior is None else load_prior(arguments.prior),
         probability=arguments.probability,
     )
+    with Progress("grasp: diagrams and bounds") as progress:
+        for share in report.compute():
+            progress.show(share)
     if arguments.json:
         write_json(grasp_document(report, digits))
     else:

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
-from typing import Any, final
+from typing import Any, Final, final
 
 from gmpy2 import mpq
 from numpy.typing import NDArray
@@ -35,8 +35,10 @@ from stochgeom.grasping.friction import Friction, FrictionLike
 from stochgeom.grasping.friction_limits import FrictionLimit, as_probability
 from stochgeom.grasping.moving_ends import Gap, Piece, gap_between, lesser, shift
 from stochgeom.grasping.push_stability import Jaw, PushStability, Valley
+from stochgeom.grasping.running_sums import RunningSums
 
-_Weights = dict[Angle, int]
+KEPT_FORMS: Final = 64
+"""Sums of O(n) terms that are kept when asked for."""
 
 
 @final
@@ -72,8 +74,9 @@ class GuaranteedBound:
         contacts = contacts_of(DiameterFunction(self.part))
         lower = _Jaw(PushStability(radius, Jaw.LOWER), contacts)
         upper = _Jaw(PushStability(radius, Jaw.UPPER), contacts)
-        self._starts, self._weights, self._slopes = _add_up(_overlaps(lower, upper))
-        self._sums: dict[int, AngleSum] = {}  # constants asked for so far
+        self._sums = RunningSums(_changes(_overlaps(lower, upper)))
+        self._starts = self._sums.starts
+        self._forms: dict[int, tuple[AngleSum, int]] = {}  # asked for lately
 
     @property
     def breakpoints(self) -> tuple[HalfAngle, ...]:
@@ -83,7 +86,7 @@ class GuaranteedBound:
     @property
     def limit(self) -> AngleSum:
         """The bound as mu goes to 0, which is not its value at 0."""
-        return self._constants(0)
+        return self._form(0)[0]
 
     def __call__(self, mu: FrictionLike) -> AngleSum:
         """Return the exact bound for a coefficient of friction or a friction angle."""
@@ -91,14 +94,19 @@ class GuaranteedBound:
         if not alpha:
             return AngleSum(1)
         k = bisect_left(self._starts, alpha + alpha) - 1
-        return self._constants(k) + AngleSum(0, [(self._slopes[k], alpha)])
+        constant, slope = self._form(k)
+        return constant + AngleSum(0, [(slope, alpha)])
 
-    def _constants(self, k: int) -> AngleSum:
-        found = self._sums.get(k)
+    def _form(self, k: int) -> tuple[AngleSum, int]:
+        """Return constant and slope between breakpoint k and the next."""
+        found = self._forms.get(k)
         if found is None:
-            weights = self._weights[k]
-            found = AngleSum(0, [(weight, angle) for angle, weight in weights.items()])
-            self._sums[k] = found
+            weights = self._sums.at(k)
+            slope = weights.pop(None, 0)
+            terms = [(weight, angle) for angle, weight in weights.items() if angle is not None]
+            if len(self._forms) >= KEPT_FORMS:
+                self._forms.clear()
+            found = self._forms[k] = AngleSum(0, terms), slope
         return found
 
     def largest_friction(self, probability: RationalLike) -> FrictionLimit | None:
@@ -122,7 +130,7 @@ class GuaranteedBound:
         while low < high:
             middle = (low + high) // 2
             order = self._just_above(middle).compare(least)
-            if order > 0 or (order == 0 and self._slopes[middle] == 0):
+            if order > 0 or (order == 0 and self._form(middle)[1] == 0):
                 low = middle + 1
             else:
                 high = middle
@@ -135,14 +143,15 @@ class GuaranteedBound:
                 return FrictionLimit(end)
         elif self._value(k, AngleSum("1/4")).compare(least) >= 0:
             return None
-        surplus = self._constants(k) - AngleSum(least)
-        return FrictionLimit(surplus.scaled(mpq(-1, self._slopes[k])))
+        constant, slope = self._form(k)
+        return FrictionLimit((constant - AngleSum(least)).scaled(mpq(-1, slope)))
 
     def _just_above(self, k: int) -> AngleSum:
         return self._value(k, AngleSum(0, [("1/2", self._starts[k])]))
 
     def _value(self, k: int, turns: AngleSum) -> AngleSum:
-        return self._constants(k) + turns.scaled(self._slopes[k])
+        constant, slope = self._form(k)
+        return constant + turns.scaled(slope)
 
     def __repr__(self) -> str:
         return f"GuaranteedBound({self.part!r})"
@@ -249,38 +258,14 @@ def _end_of(valley: Valley, turn: Angle) -> Angle:
     return valley.high + turn
 
 
-def _add_up(widths: Iterable[list[Gap]]) -> tuple[list[Angle], list[_Weights], list[int]]:
-    """Return the breakpoints of a sum of widths, and for each piece its weights and its slope."""
-    changes: dict[Angle, tuple[_Weights, int]] = {}
+def _changes(widths: Iterable[list[Gap]]) -> Iterator[tuple[Angle, Angle | None, int]]:
+    """Yield (delta, term, weight): how a sum of widths changes above delta; None is the slope."""
     for gaps in widths:
         before = Gap(ZERO, None, 0)
         for gap in gaps:
-            weights, slope = changes.get(gap.start, ({}, 0))
-            _add(weights, gap.ends, 1)
-            _add(weights, before.ends, -1)
-            changes[gap.start] = (weights, slope + gap.slope - before.slope)
+            for ends, sign in ((gap.ends, 1), (before.ends, -1)):
+                if ends is not None:
+                    yield gap.start, ends[1], sign
+                    yield gap.start, ends[0], -sign
+            yield gap.start, None, gap.slope - before.slope
             before = gap
-    starts: list[Angle] = []
-    sums: list[_Weights] = []
-    slopes: list[int] = []
-    total: _Weights = {}
-    slope = 0
-    for start in sorted({ZERO, *changes}):
-        weights, change = changes.get(start, ({}, 0))
-        weights = {angle: weight for angle, weight in weights.items() if weight}
-        if starts and not weights and not change:
-            continue
-        for angle, weight in weights.items():
-            total[angle] = total.get(angle, 0) + weight
-        slope += change
-        starts.append(start)
-        sums.append({angle: weight for angle, weight in total.items() if weight})
-        slopes.append(slope)
-    return starts, sums, slopes
-
-
-def _add(weights: _Weights, ends: tuple[Angle, Angle] | None, sign: int) -> None:
-    if ends is not None:
-        low, high = ends
-        weights[high] = weights.get(high, 0) + sign
-        weights[low] = weights.get(low, 0) - sign

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from typing import Any, final
 
@@ -68,6 +68,23 @@ class GraspReport:
         self.prior = prior
         self.probability: mpq | None = None if probability is None else as_probability(probability)
         self.diagram = GraspDiagram(part, mu)
+
+    def compute(self) -> Iterator[float]:
+        """Compute all that was asked; yield the share that is done, from 0 to 1."""
+        stages: list[Callable[[], object]] = [
+            lambda: self.diagram.bound,
+            lambda: self.diagram.strict_bound,
+            lambda: self.pushing_bound,
+            lambda: self.pushing_bounds,
+            lambda: self.tolerances,
+        ]
+        if self.prior is not None:
+            stages.append(lambda: self.prior_bound)
+        if self.probability is not None:
+            stages += [lambda: self.largest_mu, lambda: self.largest_mu_pushing]
+        for done, stage in enumerate(stages, start=1):
+            stage()
+            yield done / len(stages)
 
     @cached_property
     def tolerances(self) -> tuple[GraspTolerance, ...]:

@@ -27,13 +27,13 @@ from gmpy2 import mpq
 
 from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.errors import InputError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.balls import Ball
 from stochgeom.exact.cells import CellSet, merge
 from stochgeom.exact.sums import AngleSum, Probability
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.push_stability import PushStability
-from stochgeom.grasping.squeeze_stability import StableEdge
+from stochgeom.grasping.squeeze_stability import WEDGED, SqueezeStability, StableEdge
 
 
 @final
@@ -166,7 +166,7 @@ def pushing_bound(diagram: GraspDiagram) -> Probability:
 def pushing_bounds(diagram: GraspDiagram) -> tuple[tuple[StableEdge, Probability], ...]:
     """Return the bound for each stable orientation; together they make `pushing_bound`.
 
-    O(n) for each. The two jaws are averaged.
+    O(n) together. The two jaws are averaged.
 
     Examples
     --------
@@ -174,12 +174,37 @@ def pushing_bounds(diagram: GraspDiagram) -> tuple[tuple[StableEdge, Probability
     >>> [bound.decimal() for _, bound in pushing_bounds(square)]
     ['0.2363', '0.2363', '0.2363', '0.2363']
     """
-    found = []
-    for edge in diagram.stable:
-        target = diagram.squeeze.weak_preimage(CellSet.at([edge.orientation]))
-        both = [mass_after_push(push, target) for push in diagram.jaws]
-        found.append((edge, average(both)))
-    return tuple(found)
+    by_outcome: dict[int, list[tuple[int, Angle, Angle]]] = {}
+    for push in diagram.jaws:
+        for outcome, end in _ends_by_outcome(push, diagram.squeeze):
+            by_outcome.setdefault(outcome, []).append(end)
+    starts = diagram.squeeze.contacts.starts
+    both = {starts[k]: ends for k, ends in by_outcome.items() if k != WEDGED}
+    half = mpq(1, 2)
+    return tuple(
+        (edge, sum_of_integrals(0, both.get(edge.orientation, ())).scaled(half))
+        for edge in diagram.stable
+    )
+
+
+def _ends_by_outcome(
+    push: PushStability, squeeze: SqueezeStability
+) -> Iterator[tuple[int, tuple[int, Angle, Angle]]]:
+    """Yield (outcome, (weight, x, L)) for both ends of every run of arcs with one outcome."""
+    angles = merge(push.critical, squeeze.angles)
+    outcomes = squeeze.outcome_numbers(angles)
+    place = {angle: k for k, angle in enumerate(angles)}
+    m = len(angles)
+    for stable, unstable, step in push.sides:
+        length, k, last, start = _way(stable, unstable, step), place[stable], place[unstable], ZERO
+        while k != last:
+            (outcome,) = outcomes[k if step > 0 else k - 1]  # open arcs have one outcome
+            k = (k + step) % m
+            if k == last or outcomes[k if step > 0 else k - 1] != (outcome,):
+                end = _way(stable, angles[k], step)
+                yield outcome, (-1, start, length)
+                yield outcome, (1, end, length)
+                start = end
 
 
 def average(numbers: Sequence[Probability]) -> Probability:

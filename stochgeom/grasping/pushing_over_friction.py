@@ -31,6 +31,7 @@ from stochgeom.grasping.friction import Friction, FrictionLike
 from stochgeom.grasping.friction_limits import FrictionLimit, as_probability
 from stochgeom.grasping.push_stability import PushStability
 from stochgeom.grasping.pushing_model import sum_of_integrals
+from stochgeom.grasping.running_sums import RunningSums
 
 
 @final
@@ -81,8 +82,8 @@ class _Formula:
 
     def between(self, alpha: Angle) -> Probability:
         """Return the value for an alpha between the breakpoints."""
-        if not self._logs:
-            return self._constant + AngleSum(0, [(self._slope, alpha)])
+        if not self._logs:  # then nothing moves
+            return self._constant
         key = ("pushing bound", id(self), alpha if self.moves else None)
         return Enclosed([(1, Atom(key, lambda: self.ball(alpha.ball())))])
 
@@ -110,7 +111,9 @@ class _Formula:
         return found
 
 
-_Weights = dict[WedgeEnd, int]
+KEPT_FORMULAS: Final = 64
+"""Formulas of O(n) terms that are kept when asked for."""
+
 _Change = tuple[Angle, WedgeEnd, int]
 
 _UNDECIDED: Final = 0
@@ -145,9 +148,9 @@ class PushingBound:
         self.part = as_part(part)
         push = PushStability(RadiusFunction(self.part))
         contacts = contacts_of(DiameterFunction(self.part))
-        self._starts, self._ends = _add_up(_changes(push, contacts))
-        self._formulas: dict[int, _Formula] = {}  # asked for so far
-        self._still: dict[int, Probability] = {}  # values of formulas that no friction changes
+        self._ends = RunningSums(_changes(push, contacts))
+        self._starts = self._ends.starts
+        self._formulas: dict[int, _Formula] = {}  # asked for lately
 
     @property
     def breakpoints(self) -> tuple[Angle, ...]:
@@ -162,16 +165,13 @@ class PushingBound:
         k = bisect_left(self._starts, alpha)
         if k < len(self._starts) and self._starts[k] == alpha:
             return self._formula(max(0, k - 1)).at_breakpoint(alpha)
-        formula = self._formula(k - 1)
-        if formula.moves:
-            return formula.between(alpha)
-        if k - 1 not in self._still:
-            self._still[k - 1] = formula.between(alpha)
-        return self._still[k - 1]
+        return self._formula(k - 1).between(alpha)
 
     def _formula(self, k: int) -> _Formula:
         if k not in self._formulas:
-            self._formulas[k] = _Formula(self._ends[k])
+            if len(self._formulas) >= KEPT_FORMULAS:
+                self._formulas.clear()
+            self._formulas[k] = _Formula(self._ends.at(k))
         return self._formulas[k]
 
     def largest_friction(self, probability: RationalLike) -> FrictionLimit | None:
@@ -268,23 +268,6 @@ def _ends_of(near: Angle, far: Angle, normal: Angle, length: Angle) -> Iterator[
         yield threshold, moving, weight
         yield settled, moving, -weight
         yield settled, fixed, weight
-
-
-def _add_up(changes: Iterable[_Change]) -> tuple[list[Angle], list[_Weights]]:
-    """Return the breakpoints, and for the piece that begins at each the ends that count."""
-    by_start: dict[Angle, list[tuple[WedgeEnd, int]]] = {ZERO: []}
-    for start, end, weight in changes:
-        by_start.setdefault(start, []).append((end, weight))
-    starts = sorted(by_start)
-    total: _Weights = {}
-    found = []
-    for start in starts:
-        total = dict(total)
-        for end, weight in by_start[start]:
-            total[end] = total.get(end, 0) + weight
-        total = {end: weight for end, weight in total.items() if weight}
-        found.append(total)
-    return starts, found
 
 
 def _dyadic(end: Ball) -> mpq:
