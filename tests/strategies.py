@@ -446,8 +446,8 @@ frictions = st.sampled_from(
 
 @st.composite
 def small_pushable_parts(draw: st.DrawFn) -> Part:
-    """Convex grid parts of at most 5 corners with a grid point as the centre of mass, if any."""
-    part = draw(st.one_of(hulls(most=5), st.sampled_from(SPECIAL[:5])))
+    """Small grid parts, most of them convex, with a half-grid point as the centre of mass, if any."""
+    part = draw(st.one_of(hulls(most=5), st.sampled_from(SPECIAL)))
     corners = part.hull.points.pairs()
     inside = [
         (Fraction(x, 2), Fraction(y, 2))
