@@ -446,7 +446,7 @@ frictions = st.sampled_from(
 
 @st.composite
 def small_pushable_parts(draw: st.DrawFn) -> Part:
-    """Small grid parts, most of them convex, with a half-grid point as the centre of mass, if any."""
+    """Small grid parts, most of them convex, with a centre of mass of a half-unit grid if any."""
     part = draw(st.one_of(hulls(most=5), st.sampled_from(SPECIAL)))
     corners = part.hull.points.pairs()
     inside = [

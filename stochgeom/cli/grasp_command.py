@@ -33,9 +33,9 @@ def add_parser(commands: Any) -> None:
     parser = commands.add_parser(
         "grasp",
         help="grasp a part with friction: guarantees and probabilities",
-        description="Print which orientations of a part end stable in a single grasp with "
-        "friction, the largest error of the orientation that a grasp bears, and lower bounds on "
-        "the probability that a random grasp ends stable.",
+        description="Print which orientations of a part end stable in a single grasp with friction,"
+        "\nthe largest error of the orientation that a grasp bears, and lower bounds on the\n"
+        "probability that a random grasp ends stable.",
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

@@ -46,11 +46,15 @@ def _headline(report: GraspReport, digits: int) -> str:
     return "\n".join(
         [
             f"{name}, centre of mass ({rational_text(x)}, {rational_text(y)})",
-            f"friction: mu = {friction}, friction angle {degrees} degrees",
+            f"friction: mu = {_short(str(friction))}, friction angle {degrees} degrees",
             f"pushed by the lower jaw: stable at {_listed(lower.stable, digits)};",
             f"  unstable at {_listed(lower.unstable, digits)}",
         ]
     )
+
+
+def _short(number: str) -> str:
+    return number if len(number) <= 40 else f"{number[:16]}... ({len(number)} characters)"
 
 
 def _listed(angles: Sequence[Angle], digits: int) -> str:

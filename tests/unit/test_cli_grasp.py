@@ -114,6 +114,12 @@ class TestText:
     def test_any_friction(self, capsys):
         assert "  any\n" in grasp(capsys, "triangle", "--mu", "1", "--probability", "0")
 
+    def test_a_very_long_mu(self, capsys):
+        lines = grasp(capsys, "house", "--mu", "1e500").splitlines()
+        assert lines[1] == (
+            "friction: mu = 1000000000000000... (501 characters), friction angle 90.0000 degrees"
+        )
+
     def test_a_friction_angle(self, capsys):
         found = grasp(capsys, "house", "--friction-angle", "20")
         assert "friction: mu = 0.3640, friction angle 20.0000 degrees" in found
