@@ -15,6 +15,7 @@ Nothing here depends on the friction.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias, final
 
@@ -67,6 +68,18 @@ class Contacts:
         """Return the normal orientation of piece p, lifted to every whole p."""
         turn, place = divmod(p, len(self.starts))
         return self.normals[place] + FULL_TURN * turn if turn else self.normals[place]
+
+    def upwards(self, p: int, end: Angle) -> Iterator[tuple[Angle, Angle, Angle]]:
+        """Yield (low, high, normal) of the clipped pieces from transition p up to an end."""
+        while (low := self.start(p)) < end:
+            yield low, min(self.start(p + 1), end), self.normal(p)
+            p += 1
+
+    def downwards(self, p: int, end: Angle) -> Iterator[tuple[Angle, Angle, Angle]]:
+        """Yield (low, high, normal) of the clipped pieces from transition p down to an end."""
+        while (high := self.start(p)) > end:
+            yield max(self.start(p - 1), end), high, self.normal(p - 1)
+            p -= 1
 
 
 def contacts_of(diameter: DiameterFunction) -> Contacts:

@@ -174,19 +174,15 @@ class _Jaw:
         return len(self.valleys)
 
     def _above(self, valley: Valley, first: int) -> list[Piece]:
-        contacts, found = self._contacts, _NearestWedge(valley.high, 1)
-        p = first
-        while (low := contacts.start(p)) < valley.high:
-            found.pass_piece(low, min(contacts.start(p + 1), valley.high), contacts.normal(p))
-            p += 1
+        found = _NearestWedge(valley.high, 1)
+        for low, high, normal in self._contacts.upwards(first, valley.high):
+            found.pass_piece(low, high, normal)
         return found.end()
 
     def _below(self, valley: Valley, first: int) -> list[Piece]:
-        contacts, found = self._contacts, _NearestWedge(valley.low, -1)
-        p = first - 1
-        while (high := contacts.start(p + 1)) > valley.low:
-            found.pass_piece(max(contacts.start(p), valley.low), high, contacts.normal(p))
-            p -= 1
+        found = _NearestWedge(valley.low, -1)
+        for low, high, normal in self._contacts.downwards(first, valley.low):
+            found.pass_piece(low, high, normal)
         return found.end()
 
 

@@ -84,7 +84,7 @@ class _Formula:
         """Return the value for an alpha between the breakpoints."""
         if not self._logs:  # then nothing moves
             return self._constant
-        key = ("pushing bound", id(self), alpha if self.moves else None)
+        key = ("pushing bound", self, alpha if self.moves else None)
         return Enclosed([(1, Atom(key, lambda: self.ball(alpha.ball())))])
 
     def ball(self, alpha: Ball) -> Ball:
@@ -240,19 +240,13 @@ def _changes(push: PushStability, contacts: Contacts) -> Iterator[_Change]:
     """
     places = {theta: p for p, theta in enumerate(contacts.starts)}
     for valley in push.valleys:
-        first = places[valley.stable]
-        p = first
-        while (low := contacts.start(p)) < valley.high:
-            high, normal = min(contacts.start(p + 1), valley.high), contacts.normal(p)
-            ways = low - valley.stable, high - valley.stable, normal - valley.stable
-            yield from _ends_of(*ways, valley.high - valley.stable)
-            p += 1
-        p = first - 1
-        while (high := contacts.start(p + 1)) > valley.low:
-            low, normal = max(contacts.start(p), valley.low), contacts.normal(p)
-            ways = valley.stable - high, valley.stable - low, valley.stable - normal
-            yield from _ends_of(*ways, valley.stable - valley.low)
-            p -= 1
+        stable, first = valley.stable, places[valley.stable]
+        length = valley.high - stable
+        for low, high, normal in contacts.upwards(first, valley.high):
+            yield from _ends_of(low - stable, high - stable, normal - stable, length)
+        length = stable - valley.low
+        for low, high, normal in contacts.downwards(first, valley.low):
+            yield from _ends_of(stable - high, stable - low, stable - normal, length)
 
 
 def _ends_of(near: Angle, far: Angle, normal: Angle, length: Angle) -> Iterator[_Change]:

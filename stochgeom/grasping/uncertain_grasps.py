@@ -257,7 +257,7 @@ class UncertainGrasps:
                 ]
             return weights[state]
 
-        return Enclosed([(1, Atom(("plan", id(self), word, state), enclose))])
+        return Enclosed([(1, Atom(("plan", self, word, state), enclose))])
 
     def cheapest_plan(
         self, most_steps: int, cost_ratio: RationalLike = 1, *, node_limit: int = NODE_LIMIT

@@ -93,7 +93,7 @@ def test_without_friction_squeezes_and_pushes_are_the_transfer_functions(part, t
     squeeze, push = squeeze_function(part), push_function(part)
     ends = diagram.squeeze.outcomes(theta)
     assert squeeze(theta).reduced() in ends  # at a maximum the right-hand step is one of two
-    assert len(ends) == 1 + (theta % HALF_TURN in squeeze.breaks.angles)
+    assert len(ends) == 1 + (theta % squeeze.period in squeeze.breaks.angles)
     arc = diagram.lower.image(theta)
     assert push(theta).reduced() in {arc.start.reduced(), arc.end.reduced()}
 
