@@ -181,7 +181,14 @@ def _largest(report: GraspReport, digits: int) -> str:
     ]
     shown = rational_text(report.probability)
     title = f"Largest mu for a probability of at least {shown}, rounded down"
-    return title + "\n" + "\n".join(table(["", ""], rows, left=[0]).splitlines()[1:])
+    lines = [title, *table(["", ""], rows, left=[0]).splitlines()[1:]]
+    if report.limit.compare(1) < 0:
+        limit = report.limit.decimal(digits)
+        lines.append(
+            f"As mu goes to 0 the bound whatever the push does goes to {limit};\n"
+            "without friction it is 1."
+        )
+    return "\n".join(lines)
 
 
 def _limit(limit: FrictionLimit | None, digits: int) -> str:

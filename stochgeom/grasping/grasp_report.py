@@ -14,7 +14,7 @@ from stochgeom.errors import InputError
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.exact.cells import CellSet
 from stochgeom.exact.scalars import RationalLike, rational
-from stochgeom.exact.sums import Probability
+from stochgeom.exact.sums import AngleSum, Probability
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import PointLike
 from stochgeom.grasping.friction import FrictionLike
@@ -119,7 +119,16 @@ class GraspReport:
     @cached_property
     def largest_mu(self) -> FrictionLimit | None:
         """The largest friction under which the bound is at least the probability; None: any."""
-        return GuaranteedBound(self.diagram.part).largest_friction(self._asked())
+        return self._bound_over_friction.largest_friction(self._asked())
+
+    @cached_property
+    def _bound_over_friction(self) -> GuaranteedBound:
+        return GuaranteedBound(self.diagram.part)
+
+    @property
+    def limit(self) -> AngleSum:
+        """What the bound goes to as the friction goes to 0, where it is 1."""
+        return self._bound_over_friction.limit
 
     @cached_property
     def largest_mu_pushing(self) -> FrictionLimit | None:

@@ -148,6 +148,7 @@ def _largest_json(report: GraspReport, digits: int) -> Json:
     limits = {"bound": report.largest_mu, "pushing_bound": report.largest_mu_pushing}
     return {
         "probability": rational_text(report.probability or 0),
+        "bound_limit": report.limit.decimal(digits),
         **{
             name: None
             if limit is None

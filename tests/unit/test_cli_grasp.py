@@ -111,6 +111,11 @@ class TestText:
         assert "Largest mu for a probability of at least 9/10, rounded down" in found
         assert "  whatever the push does       0.0787\n" in found
 
+    def test_the_limit_is_told_where_it_is_not_1(self, capsys):
+        found = grasp(capsys, "house", "--mu", "1/4", "--probability", "9/10")
+        assert "As mu goes to 0 the bound whatever the push does goes to 0.5000;" in found
+        assert "As mu" not in grasp(capsys, "rectangle", "--mu", "1/4", "--probability", "9/10")
+
     def test_any_friction(self, capsys):
         assert "  any\n" in grasp(capsys, "triangle", "--mu", "1", "--probability", "0")
 
@@ -156,6 +161,7 @@ class TestDocument:
         assert widths == [item.width for item in expected]
         assert found["strong_preimage_points"] == []
         assert len(found["wedged"]) == 4
+        assert found["largest_tolerance"]["degrees"] == "42.2736"  # 42.27368..., rounded down
         assert angle(found["wedged"][0]["width"]) == 2 * Angle(0, (4, 1))
 
     def test_the_tolerance_is_exact_when_doubled(self, capsys):
@@ -189,6 +195,7 @@ class TestDocument:
         assert len(found["tolerance"]["grasps"]) == 4
         assert found["prior_bound"] == "1.0000"
         assert found["largest_mu"]["bound"]["mu"] == "0.0787"
+        assert found["largest_mu"]["bound_limit"] == "1.0000"
         lacking = document(capsys, "rectangle", "--mu", "0.25", "--tolerance", "43", code=1)
         assert lacking["tolerance"] == {
             "asked": lacking["tolerance"]["asked"],
