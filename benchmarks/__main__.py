@@ -24,6 +24,7 @@ NAMES = (
     "exhaustive",
     "actions_and_priors",
     "over_fields",
+    "grasping",
 )
 
 

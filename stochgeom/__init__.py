@@ -31,7 +31,10 @@ if TYPE_CHECKING:
     from stochgeom.exact.algebraic import Algebraic
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
+    from stochgeom.exact.cells import CellSet
     from stochgeom.exact.forms import sign_of_form
+    from stochgeom.exact.halves import HalfAngle
+    from stochgeom.exact.intervals import Interval
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.sums import AngleSum
@@ -55,6 +58,17 @@ if TYPE_CHECKING:
     from stochgeom.geometry.hull import ConvexHull, convex_hull
     from stochgeom.geometry.part import Part
     from stochgeom.geometry.radius import RadiusFunction, RadiusPiece
+    from stochgeom.grasping.friction import Friction
+    from stochgeom.grasping.friction_bounds import GuaranteedBound
+    from stochgeom.grasping.friction_limits import FrictionLimit
+    from stochgeom.grasping.grasp_diagram import GraspDiagram, GraspTolerance
+    from stochgeom.grasping.grasp_report import GraspReport
+    from stochgeom.grasping.push_stability import Jaw, Motion, PushStability
+    from stochgeom.grasping.pushing_model import density_after_push, pushing_bound, pushing_bounds
+    from stochgeom.grasping.pushing_over_friction import PushingBound
+    from stochgeom.grasping.regular import regular_bound
+    from stochgeom.grasping.squeeze_stability import SqueezeStability
+    from stochgeom.grasping.uncertain_grasps import UncertainGrasps
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
@@ -137,6 +151,25 @@ _HOMES = {
     "push_grasp_function": "transfer.push_grasp",
     "squeeze_function": "transfer.squeeze",
     "StepFunction": "transfer.step_function",
+    "CellSet": "exact.cells",
+    "Interval": "exact.intervals",
+    "HalfAngle": "exact.halves",
+    "Friction": "grasping.friction",
+    "FrictionLimit": "grasping.friction_limits",
+    "GraspDiagram": "grasping.grasp_diagram",
+    "GraspReport": "grasping.grasp_report",
+    "GraspTolerance": "grasping.grasp_diagram",
+    "GuaranteedBound": "grasping.friction_bounds",
+    "Jaw": "grasping.push_stability",
+    "Motion": "grasping.push_stability",
+    "PushStability": "grasping.push_stability",
+    "PushingBound": "grasping.pushing_over_friction",
+    "SqueezeStability": "grasping.squeeze_stability",
+    "UncertainGrasps": "grasping.uncertain_grasps",
+    "density_after_push": "grasping.pushing_model",
+    "pushing_bound": "grasping.pushing_model",
+    "pushing_bounds": "grasping.pushing_model",
+    "regular_bound": "grasping.regular",
 }
 
 __all__ = [
@@ -153,6 +186,7 @@ __all__ = [
     "AngleVector",
     "Arc",
     "CallablePrior",
+    "CellSet",
     "ClosedArc",
     "ConvexHull",
     "DiameterFunction",
@@ -160,8 +194,18 @@ __all__ = [
     "ErrorBound",
     "FeedingPlan",
     "FeedingProblem",
+    "Friction",
+    "FrictionLimit",
+    "GraspDiagram",
+    "GraspReport",
+    "GraspTolerance",
+    "GuaranteedBound",
+    "HalfAngle",
     "Hyperstate",
+    "Interval",
+    "Jaw",
     "MixturePrior",
+    "Motion",
     "Observation",
     "Part",
     "PartErrorReport",
@@ -171,14 +215,18 @@ __all__ = [
     "Preimages",
     "Prior",
     "PriorEstimate",
+    "PushStability",
+    "PushingBound",
     "RadiusFunction",
     "RadiusPiece",
     "Rejections",
     "Sinusoid",
+    "SqueezeStability",
     "StableGrasp",
     "StepFunction",
     "StochgeomError",
     "TurnRatio",
+    "UncertainGrasps",
     "VonMises",
     "Window",
     "WrappedNormal",
@@ -189,6 +237,7 @@ __all__ = [
     "check_claim",
     "convex_hull",
     "exact_scalar",
+    "density_after_push",
     "from_float_exact",
     "from_float_shortest",
     "load_part",
@@ -202,8 +251,11 @@ __all__ = [
     "preimages",
     "push_function",
     "push_grasp_function",
+    "pushing_bound",
+    "pushing_bounds",
     "rational",
     "read_outline",
+    "regular_bound",
     "sign_of_form",
     "squeeze_function",
     "stability_costs",

@@ -137,6 +137,14 @@ class NoPlanError(StochgeomError):
     """No plan does what was asked for (exit code 1 on the command line)."""
 
 
+class FrictionError(InputError):
+    """A coefficient of friction is negative, or no friction angle lies in [0, 90) degrees."""
+
+
+class OutcomeError(InputError):
+    """No grasp ends in the orientation asked for."""
+
+
 class PriorError(InputError):
     """A prior's weights, densities or parameters do not make a probability distribution."""
 

@@ -19,6 +19,7 @@ from stochgeom.exact.algebraic_directions import unity_direction
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.fields import RealField, quadratic_field, regular_polygon_field
+from stochgeom.exact.cells import CellSet
 from stochgeom.exact.scalars import common_denominator
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.squeeze import squeeze_function
@@ -486,3 +487,32 @@ def field_parts(draw: st.DrawFn) -> Part:
         x, y = vertices[k]
         vertices[k] = x * mpq(share), y * mpq(share)
     return _part_or_reject(vertices)
+# --- friction ------------------------------------------------------------------------------------
+
+frictions = st.sampled_from(
+    [Fraction(n, d) for n, d in [(0, 1), (1, 100), (1, 20), (1, 4), (1, 3), (1, 2), (1, 1), (3, 1)]]
+)
+"""Coefficients of friction; on grid parts their cones often end at a vertex or an edge."""
+
+
+@st.composite
+def small_pushable_parts(draw: st.DrawFn) -> Part:
+    """Small grid parts, most of them convex, with a centre of mass of a half-unit grid if any."""
+    part = draw(st.one_of(hulls(most=5), st.sampled_from(SPECIAL)))
+    corners = part.hull.points.pairs()
+    inside = [
+        (Fraction(x, 2), Fraction(y, 2))
+        for x in range(-9, 10)
+        for y in range(-9, 10)
+        if _is_inside(corners, x, y)
+    ]
+    return Part(part.vertices, draw(st.sampled_from(inside)) if inside else None)
+
+
+@st.composite
+def cell_sets(draw: st.DrawFn) -> CellSet:
+    """Sets with critical orientations on a grid of 30 degrees, so that ends often coincide."""
+    places = sorted(draw(st.sets(st.integers(0, 11), max_size=6)))
+    flags = st.lists(st.booleans(), min_size=len(places), max_size=len(places))
+    arcs = draw(flags) or [draw(st.booleans())]
+    return CellSet([Angle.from_degrees(30 * k) for k in places], draw(flags), arcs)

@@ -5,14 +5,18 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
+from stochgeom.cli.errata_text import notes_text
 from stochgeom.cli.evolution_text import evolution_document, evolution_text
+from stochgeom.cli.grasp_table_text import grasp_table_document, grasp_table_text
 from stochgeom.cli.layout import table
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
+from stochgeom.thesis.grasp_tables import table_3_1, table_c_1
 from stochgeom.thesis.tables import STEPS, Cell, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
+_GRASP_TABLES = {"3.1": table_3_1, "C.1": table_c_1}
 _FIGURES = {"E.5": figure_e_5, "E.8": figure_e_8}
 
 
@@ -24,7 +28,7 @@ def add_parser(commands: Any) -> None:
         description="Print a table of Goldberg (1990), or a figure of numbers, computed and "
         "printed values side by side.",
     )
-    numbers = sorted({*_TABLES, *_FIGURES})
+    numbers = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES})
     parser.add_argument("number", choices=numbers, metavar="NUMBER", help=", ".join(numbers))
     add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a JSON document")
@@ -40,6 +44,11 @@ def run(arguments: argparse.Namespace) -> int:
         text = evolution_text(evolution, digits)
         document = evolution_document(evolution, digits)
         cells = list(evolution.cells)
+    elif arguments.number in _GRASP_TABLES:
+        grasps = _GRASP_TABLES[arguments.number]()
+        text = grasp_table_text(arguments.number, grasps, digits)
+        document = grasp_table_document(arguments.number, grasps, digits)
+        cells = [cell for row in grasps for cell in row.cells]
     else:
         rows = _TABLES[arguments.number]()
         text = table_text(arguments.number, rows, digits)
@@ -72,15 +81,7 @@ def table_text(number: str, rows: tuple[Row, ...], digits: int) -> str:
         "",
         table(header, lines, left=[0]),
     ]
-    for place, note in enumerate(notes, start=1):
-        if note is None:
-            text.append(f"\n({place}) differs, and no erratum explains it")
-        else:
-            text.append(
-                f"\n({place}) {note.where}: printed {note.printed}; what holds: {note.holds}; "
-                f"{note.reason}."
-            )
-    return "\n".join(text)
+    return "\n".join([*text, *notes_text(notes)])
 
 
 def table_document(number: str, rows: tuple[Row, ...], digits: int) -> dict[str, Any]:

@@ -143,6 +143,14 @@ class DiscretePrior(Prior):
         caught = self.points.numerator_below(end) - self.points.numerator_below(start)
         return AngleSum(mpq(caught, self.points.denominator))
 
+    def mass_at(self, theta: Angle) -> mpq:
+        """Return the weight of an orientation, 0 if it is none of the points.  O(log a)."""
+        place = theta.reduced()
+        k = self.points.angles.count_at_most(place) - 1
+        if k < 0 or self.points.angles[k] != place:
+            return mpq(0)
+        return mpq(self.points.numerators[k], self.points.denominator)
+
     def best_window(self, width: Angle) -> Window:
         """Return the window at 0 if it is a best one, else one at a point.  O(a) on arrays."""
         first, caught = self.points.heaviest(check_width(width))

@@ -94,6 +94,10 @@ class MixturePrior(Prior):
             return self._measure.mass(arc)
         return _weighted([(w, prior.mass(arc)) for w, prior in self.components])
 
+    def mass_at(self, theta: Angle) -> mpq:
+        """Return the weighted sum of the components' weights of an orientation."""
+        return sum((w * prior.mass_at(theta) for w, prior in self.components), start=mpq(0))
+
     def best_window(self, width: Angle) -> Window:
         """Return the best window, exactly if all components are exact; else the best one found."""
         if check_width(width) == FULL_TURN:

@@ -26,6 +26,7 @@ from gmpy2 import mpq, mpz
 from stochgeom.errors import InvalidArcError, NumberError, PriorError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle, make_angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.cells import CellSet
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.exact.sums import AngleSum, Probability
 
@@ -96,6 +97,32 @@ class Prior(ABC):
         InvalidArcError
             For any other width.
         """
+
+    def mass_at(self, theta: Angle) -> mpq:  # noqa: ARG002 - most priors have no points
+        """Return the probability of a single orientation: 0, but for priors with points."""
+        return mpq(0)
+
+    def mass_of(self, cells: CellSet) -> Probability:
+        """Return the probability of a set of orientations, its ends and points counted exactly.
+
+        Examples
+        --------
+        >>> from stochgeom.exact.intervals import Interval
+        >>> half = CellSet.of([Interval(ZERO, Angle.from_degrees(180), False, True)])
+        >>> uniform_prior().mass_of(half).rational
+        mpq(1,2)
+        """
+        total: Any = AngleSum()
+        for item in cells.intervals():
+            if item.width == FULL_TURN and item.is_closed:
+                return AngleSum(1)
+            extra = self.mass_at(item.end) if item.includes_end else mpq(0)
+            if item.width:  # an arc holds its start and not its end
+                total = total + self.mass(Arc(item.start, item.width))
+                extra -= 0 if item.includes_start else self.mass_at(item.start)
+            total = total + AngleSum(extra)
+        result: Probability = total
+        return result
 
 
 @final

@@ -112,6 +112,17 @@ class Enclosed:
         atoms = [(factor * f, atom) for atom, f in self._factors.items()]
         return Enclosed(atoms, self._constant.scaled(factor))
 
+    def simplified(self) -> Enclosed | AngleSum:
+        """Return the number as an exact one if all enclosed numbers have cancelled.
+
+        Examples
+        --------
+        >>> root = Enclosed.of(lambda: flint.arb(2).sqrt(), key="root")
+        >>> (root + AngleSum(1) + root.scaled(-1)).simplified()
+        AngleSum('1', [])
+        """
+        return self if self._factors else self._constant
+
     def __add__(self, other: Any) -> Enclosed:
         if isinstance(other, Enclosed):
             both = (*self._factors.items(), *other._factors.items())

@@ -82,17 +82,42 @@ def certified_decimal(
     """
     digits = check_digits(digits)
     bits = START_BITS + 4 * digits
-    scale = 10**digits
     while bits <= MAX_BITS:
-        with working_precision(bits):
-            scaled = enclose() * scale
-            if rounding is Rounding.NEAREST:
-                scaled += flint.arb(1) / 2
-            whole = scaled.floor().unique_fmpz()
+        whole = _scaled_floor(enclose, digits, rounding, bits)
         if whole is not None:  # an irrational number is never whole: one more is above it
-            return _place_point(mpz(int(whole)) + (rounding is Rounding.UP), digits)
+            return _place_point(whole + (rounding is Rounding.UP), digits)
         bits *= 2
     raise PrecisionLimitError(f"{digits} decimals are still undecided at {MAX_BITS} bits")
+
+
+def decimal_if_clear(enclose: Callable[[], Ball], digits: int) -> str | None:
+    """Return the nearest decimal if a first enclosure decides it, else None.
+
+    For numbers that may be rational: one that is a tie never decides. The enclosure must not be
+    exact.
+
+    Examples
+    --------
+    >>> import flint
+    >>> decimal_if_clear(lambda: flint.arb(1).exp(), 3)
+    '2.718'
+    >>> decimal_if_clear(lambda: flint.arb(1) / 8 + flint.arb.pi() - flint.arb.pi(), 2) is None
+    True
+    """
+    digits = check_digits(digits)
+    whole = _scaled_floor(enclose, digits, Rounding.NEAREST, START_BITS + 4 * digits)
+    return None if whole is None else _place_point(whole, digits)
+
+
+def _scaled_floor(
+    enclose: Callable[[], Ball], digits: int, rounding: Rounding, bits: int
+) -> mpz | None:
+    with working_precision(bits):
+        scaled = enclose() * 10**digits
+        if rounding is Rounding.NEAREST:
+            scaled += flint.arb(1) / 2
+        whole = scaled.floor().unique_fmpz()
+    return None if whole is None else mpz(int(whole))
 
 
 def check_digits(digits: SupportsIndex) -> int:

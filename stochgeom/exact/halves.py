@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from dataclasses import dataclass
+from functools import total_ordering
+from typing import Any, Final, final
 
 from gmpy2 import isqrt, mpq, mpz
 
@@ -10,6 +12,9 @@ from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import START_BITS, exact_value, working_precision
 from stochgeom.exact.directions import simplest_between, simplest_fraction
+from stochgeom.exact.balls import Ball
+from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
+from stochgeom.exact.directions import simplest_between
 
 HALF_BITS: Final = 20
 """A half that is not exact is within a 2**-20th of itself."""
@@ -68,3 +73,72 @@ def _near_half_turns(angle: Angle) -> Angle:
         bits *= 2
     least = turns - turns / 2 ** (HALF_BITS + 2)
     return Angle.from_turns(simplest_fraction(least, turns + turns / 2 ** (HALF_BITS + 2)))
+@final
+@total_ordering
+@dataclass(frozen=True, slots=True)
+class HalfAngle:
+    """Exactly half of an angle, which in general is no `Angle`: it is kept doubled.
+
+    Attributes
+    ----------
+    doubled : Angle
+        Twice the angle.
+
+    Examples
+    --------
+    >>> third = HalfAngle(Angle(0, (3, 2)))
+    >>> third.degrees(), third < HalfAngle.of(Angle(0, (3, 1))), third.angle is None
+    ('16.8450', True, True)
+    >>> HalfAngle(Angle(0, (3, 4))).angle
+    Angle(0, (2, 1))
+    """
+
+    doubled: Angle
+
+    @classmethod
+    def of(cls, angle: Angle) -> HalfAngle:
+        """Return an angle as the half of its double."""
+        return cls(angle + angle)
+
+    @property
+    def angle(self) -> Angle | None:
+        """The angle if the half is one, else None."""
+        if self.doubled < _ZERO:
+            positive = HalfAngle(-self.doubled).angle
+            return None if positive is None else -positive
+        half, exact = near_half(self.doubled)
+        return half if exact else None
+
+    @property
+    def nearby(self) -> Angle:
+        """The angle, or a simple direction within a 2**-20th of it."""
+        half, _ = near_half(self.doubled)
+        return half
+
+    def compare(self, other: HalfAngle) -> int:
+        """Return -1, 0 or 1 as self is smaller than, equal to or larger than `other`."""
+        return self.doubled.compare(other.doubled)
+
+    def __lt__(self, other: HalfAngle) -> bool:
+        return self.compare(other) < 0
+
+    def ball(self) -> Ball:
+        """Return an Arb ball around the number of turns, at the working precision."""
+        return self.doubled.ball() / 2
+
+    def degrees(self, digits: int = 4, rounding: Rounding = Rounding.NEAREST) -> str:
+        """Return degrees as a correctly rounded decimal (ties to even, unless told otherwise)."""
+        exact = self.doubled.rational_turns
+        if exact is not None:
+            return rational_decimal(exact * 180, digits, rounding)
+        return certified_decimal(lambda: self.doubled.ball() * 180, digits, rounding)
+
+    def to_float(self) -> float:
+        """Return the angle in radians as a float, within two units in the last place."""
+        return self.doubled.to_float() / 2
+
+    def __str__(self) -> str:
+        return f"{self.degrees()}°"
+
+
+_ZERO: Final = Angle()

@@ -15,7 +15,7 @@ from gmpy2 import mpq
 
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import Ball, argument_ball, certified_float, rational_ball
-from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.decimals import certified_decimal, decimal_if_clear, rational_decimal
 from stochgeom.exact.eighths import octant
 from stochgeom.exact.forms import rational_form, sign_of_form
 from stochgeom.exact.predicates import sign
@@ -207,6 +207,11 @@ class AngleSum:
 
     def decimal(self, digits: int = 4) -> str:
         """Return the number as a correctly rounded decimal (ties to even)."""
+        if self.terms:
+            # Whether the number is rational matters for ties only, and is dear to find out.
+            clear = decimal_if_clear(self.ball, digits)
+            if clear is not None:
+                return clear
         if self.rational is not None:
             return rational_decimal(self.rational, digits)
         return certified_decimal(self.ball, digits)

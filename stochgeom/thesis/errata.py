@@ -51,6 +51,47 @@ TABLE_4_1: Final = {
 }
 """Cells of Table 4.1 that no part with the rest of the printed numbers can have."""
 
+TABLE_C_1: Final = {
+    ("rectangle", "0.05"): Erratum(
+        "Table C.1, rectangle, mu = .05",
+        "0.99",
+        "0.9978, which rounds to 1.00",
+        "the cell is capped or cut; every other cell of the table is rounded",
+    ),
+}
+"""Cells of Table C.1 that do not follow from the rest."""
+
+GRASP_TABLE_SIDES: Final = Erratum(
+    "Tables 3.1 and C.1, rectangle, sides",
+    "3",
+    "4",
+    "a rectangle has four; Table 4.1 prints 4",
+)
+
+EQUATION_3_14: Final = Erratum(
+    "Eq. 3.14",
+    "0 for even n from floor(pi / alpha) on",
+    "0 for even n exactly when n alpha is at least pi",
+    "n = 12 at mu = .25 is floor(pi / alpha), and 12 alpha is 168.4 degrees: the bound is .0643",
+)
+
+LIMIT_OF_3_13: Final = Erratum(
+    "1.5, 3.12 and 7.4, the bound as friction goes to 0",
+    "goes to 1",
+    "has a limit that depends on the part, and is 1 at mu = 0 only",
+    "the bound of App. C goes to 1, and Eq. 3.13's does for parts such as even regular polygons; "
+    "where a push of some length may end within a vanishing wedging interval it stays below: 0 for "
+    "the triangle, the 4gon and the key, .0704 for the wrench, .5 for the house",
+)
+
+APPENDIX_C_TEXT: Final = Erratum(
+    "App. C, text on the two bounds and on the density",
+    "equal only when friction is so high that almost all is wedged; an exponential density",
+    "both are 1 without friction, where nothing wedges; a logarithmic density",
+    "Eq. C.9 exceeds C.8 by the factor 1 + ln(L / b), which is 1 at b = L: no wedging interval "
+    "between the stable and the unstable orientation; and the density is ln(L / x)",
+)
+
 APPENDIX_E: Final = {
     "angles": Erratum(
         "Fig. E.5, plan angles",

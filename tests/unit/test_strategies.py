@@ -16,6 +16,8 @@ from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO
 from stochgeom.exact.offset_directions import OffsetDirections
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.geometry.sight import look_around
+from stochgeom.grasping.push_stability import PushStability
+from stochgeom.grasping.squeeze_stability import SqueezeStability
 from tests import strategies
 
 COUNT = 150
@@ -291,3 +293,25 @@ def test_circle_points_are_close_to_others_often():
         for points in found
     ]
     assert share(near, bool) > 0.3
+
+
+# --- friction ------------------------------------------------------------------------------------
+
+
+def test_small_pushable_parts_meet_the_special_cases_of_grasps():
+    found = sample(strategies.small_pushable_parts())
+    assert all(part.center_of_mass_side == 1 for part in found)
+    diagrams = [SqueezeStability(part, "1/4") for part in found]
+    assert share(diagrams, lambda d: any(edge.by_friction for edge in d.stable)) > 0.1
+    assert share(diagrams, lambda d: any(e.lower_edge and e.upper_edge for e in d.stable)) > 0.1
+    assert share(found, lambda part: len(set(PushStability(part).stable)) < len(part.hull)) > 0.2
+    clipped = [any(w.width < 2 * d.friction.angle for w in d.wedging) for d in diagrams]
+    assert share(clipped, bool) > 0.2
+
+
+def test_cell_sets_have_points_gaps_and_whole_circles():
+    found = sample(strategies.cell_sets())
+    assert share(found, lambda cells: cells.is_whole or not cells) > 0.03
+    assert share(found, lambda cells: any(not item.width for item in cells)) > 0.1
+    assert share(found, lambda cells: any(item.is_closed and item.width for item in cells)) > 0.1
+    assert share(found, lambda cells: any(not item.includes_start for item in cells)) > 0.2
