@@ -18,8 +18,8 @@ from stochgeom.exact.algebraic import Algebraic
 from stochgeom.exact.algebraic_directions import unity_direction
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
-from stochgeom.exact.fields import RealField, quadratic_field, regular_polygon_field
 from stochgeom.exact.cells import CellSet
+from stochgeom.exact.fields import RealField, quadratic_field, regular_polygon_field
 from stochgeom.exact.scalars import common_denominator
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.squeeze import squeeze_function
@@ -487,6 +487,8 @@ def field_parts(draw: st.DrawFn) -> Part:
         x, y = vertices[k]
         vertices[k] = x * mpq(share), y * mpq(share)
     return _part_or_reject(vertices)
+
+
 # --- friction ------------------------------------------------------------------------------------
 
 frictions = st.sampled_from(

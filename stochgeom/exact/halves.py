@@ -10,11 +10,9 @@ from gmpy2 import isqrt, mpq, mpz
 
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle, make_angle
-from stochgeom.exact.balls import START_BITS, exact_value, working_precision
-from stochgeom.exact.directions import simplest_between, simplest_fraction
-from stochgeom.exact.balls import Ball
+from stochgeom.exact.balls import START_BITS, Ball, exact_value, working_precision
 from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
-from stochgeom.exact.directions import simplest_between
+from stochgeom.exact.directions import simplest_between, simplest_fraction
 
 HALF_BITS: Final = 20
 """A half that is not exact is within a 2**-20th of itself."""
@@ -73,6 +71,8 @@ def _near_half_turns(angle: Angle) -> Angle:
         bits *= 2
     least = turns - turns / 2 ** (HALF_BITS + 2)
     return Angle.from_turns(simplest_fraction(least, turns + turns / 2 ** (HALF_BITS + 2)))
+
+
 @final
 @total_ordering
 @dataclass(frozen=True, slots=True)
