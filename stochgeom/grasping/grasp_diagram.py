@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InvalidAngleError, OutcomeError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
-from stochgeom.exact.cells import CellSet
+from stochgeom.exact.cells import CellSet, merge
 from stochgeom.exact.halves import HalfAngle
 from stochgeom.exact.intervals import Interval
 from stochgeom.exact.sums import AngleSum, Probability
@@ -181,7 +181,21 @@ class GraspDiagram:
         return ~self._pushed_into(self.squeeze.weak_preimage(~self._final(target)))
 
     def _pushed_into(self, target: CellSet) -> CellSet:
-        return self.lower.weak_preimage(target) | self.upper.weak_preimage(target)
+        angles = merge(self._critical, target.angles)
+        place = {angle: k for k, angle in enumerate(angles)}
+        cells = target.on(angles)
+        lower, upper = (push.swept(place, *cells) for push in self.jaws)
+        points, arcs = (
+            [a or b for a, b in zip(one, other, strict=True)]
+            for one, other in zip(lower, upper, strict=True)
+        )
+        return CellSet.unchecked(angles, points, arcs)
+
+    @cached_property
+    def _critical(self) -> list[Angle]:
+        """The critical orientations of all three diagrams, increasing."""
+        pushes = merge(self.lower.critical, self.upper.critical)
+        return merge(pushes, self.squeeze.angles)
 
     def _final(self, target: Angle | CellSet) -> CellSet:
         if isinstance(target, CellSet):

@@ -12,7 +12,7 @@ equilibrium the part may rest, or leave either way.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -177,10 +177,24 @@ class PushStability:
         """
         angles = merge(self.critical, target.angles)
         place = {angle: k for k, angle in enumerate(angles)}
-        sweep = _Sweep(*target.on(angles))
+        return CellSet.unchecked(angles, *self.swept(place, *target.on(angles)))
+
+    def swept(
+        self, place: Mapping[Angle, int], points: list[bool], arcs: list[bool]
+    ) -> tuple[list[bool], list[bool]]:
+        """Return the cells of the weak preimage of a set given by its cells.  O(k).
+
+        Parameters
+        ----------
+        place : mapping
+            The number of each critical orientation of the cells, those of the diagram among them.
+        points, arcs : lists of bool
+            Which cells belong to the set.
+        """
+        sweep = _Sweep(points, arcs)
         for stable, unstable, step in self.sides:
             sweep.outwards(place[stable], place[unstable], step)
-        return CellSet.unchecked(angles, sweep.points, sweep.arcs)
+        return sweep.points, sweep.arcs
 
     def __repr__(self) -> str:
         return f"PushStability({self.part!r}, {self.jaw})"
