@@ -1,0 +1,218 @@
+"""Additive costs: what the actions cost plus the expected cost of the state at the end.
+
+    C(plan, lambda) = c(a_1) + ... + c(a_k) + sum over i of lambda_i C(i)          (Eq. 2.5, 2.7)
+
+Three of them have names: the probability of missing a goal, infinite cost off the goal (guaranteed
+plans, 2.5.3, ranked by what they cost, 7.1.1), and the distance to a goal orientation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stochgeom.decision.costs_to_go import CostsToGo, mean
+from stochgeom.decision.infinity import INFINITE
+from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices, read_state_costs
+from stochgeom.errors import CostError
+from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.sums import AngleSum
+
+if TYPE_CHECKING:
+    from stochgeom.decision.planning_problem import PlanningProblem, Vector
+
+
+@final
+@dataclass(frozen=True)
+class AdditiveCost(PlanCost):
+    """What the actions cost plus the expected cost of the final state.
+
+    Parameters
+    ----------
+    actions : number >= 0, or mapping from actions to numbers, default 0
+        What an action costs.
+    states : number, or mapping from states to numbers, default 0
+        What it costs to end in a state: any sign, `math.inf` or ``"infinite"`` among them. States
+        left out of a mapping cost 0. If the prior is rational, angle sums as well.
+
+    Examples
+    --------
+    >>> from stochgeom.decision.planning_problem import PlanningProblem
+    >>> turn = PlanningProblem.from_matrices(["1/4", "3/4"], {"turn": [[0, 1], [1, 0]]})
+    >>> AdditiveCost("1/8", {"1": 1}).on(turn).of_plan(["turn", "turn"])
+    mpq(1,1)
+    """
+
+    actions: Prices = 0
+    states: Any = 0
+
+    def on(self, problem: PlanningProblem) -> AdditiveModel:
+        """Return the cost of the plans of a problem."""
+        return AdditiveModel(problem, self.actions, read_state_costs(problem, self.states))
+
+    def describe(self) -> str:
+        """Return one line for people."""
+        return "cost of the actions plus expected cost of the final state"
+
+
+@final
+class AdditiveModel(CostModel):
+    """An additive cost on a problem.
+
+    The bound is spent + sum lambda_i V_k(i), with V_k(i) the least expected cost from state i with
+    at most k actions when the state is seen (`stochgeom.decision.costs_to_go`). A sequence
+    of k or fewer further actions costs, given that the state is i now, at least V_k(i), since the
+    policy that goes through the same sequence is among those V_k is the least of; and its cost is
+    the mean of these over lambda. Without a limit k, V_k is replaced by the least C(i).
+
+    Attributes
+    ----------
+    state_costs : tuple
+        C(i), perhaps infinite.
+    """
+
+    def __init__(
+        self, problem: PlanningProblem, actions: Prices, state_costs: tuple[Any, ...]
+    ) -> None:
+        super().__init__(problem, actions)
+        self.state_costs = state_costs
+        self._floor = min(state_costs)
+        self._to_go = CostsToGo(problem, self.prices, state_costs)
+
+    def value(self, spent: Any, hyperstate: Vector) -> Any:
+        """Return spent + sum lambda_i C(i)."""
+        return spent + mean(hyperstate, self.state_costs)
+
+    def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
+        """Return spent + sum lambda_i V_left(i)."""
+        if left is None:
+            return spent + self._floor
+        return spent + mean(hyperstate, self._to_go(left))
+
+    def values(
+        self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the values of many plans at once."""
+        costs = np.asarray(self.state_costs, dtype=np.float64)
+        endless = np.isinf(costs)
+        found: NDArray[np.float64] = spent + hyperstates @ np.where(endless, 0.0, costs)
+        if endless.any():
+            found[(hyperstates[:, endless] > 0).any(axis=1)] = np.inf
+        return found
+
+
+def goal_cost(
+    problem: PlanningProblem, goal: Hashable | Iterable[Hashable], actions: Prices = 0
+) -> AdditiveCost:
+    """Return the cost of missing a goal: 0 in the goal states, 1 in all others (thesis 2.1).
+
+    The cost of a plan is what its actions cost plus 1 minus the probability of the goal; with the
+    default, free actions, the best plan is the most likely to succeed.
+
+    Parameters
+    ----------
+    problem : PlanningProblem
+        Whose states.
+    goal : state, or list or set of states
+        Where the plan should end.
+    actions : number, or mapping, default 0
+        What the actions cost.
+
+    Examples
+    --------
+    >>> from stochgeom.decision.planning_problem import PlanningProblem
+    >>> turn = PlanningProblem.from_matrices(["1/4", "3/4"], {"turn": [[0, 1], [1, 0]]})
+    >>> goal_cost(turn, "0").on(turn).of_plan(["turn"])
+    mpq(1,4)
+    """
+    return AdditiveCost(actions, _off_goal(problem, goal, 1))
+
+
+def guaranteed_cost(
+    problem: PlanningProblem, goal: Hashable | Iterable[Hashable], actions: Prices = 1
+) -> AdditiveCost:
+    """Return the cost that only guaranteed plans keep finite (thesis 2.5.3, 7.1.1).
+
+    Infinite off the goal, with 0 * infinity = 0; a plan that is certain to end in the goal costs
+    what its actions cost, so that the best one is the cheapest of the guaranteed plans.
+
+    Examples
+    --------
+    >>> from stochgeom.decision.planning_problem import PlanningProblem
+    >>> fall = PlanningProblem.from_matrices(["1/4", "3/4"], {"fall": [[0, 1], [0, 1]]})
+    >>> cost = guaranteed_cost(fall, "1").on(fall)
+    >>> cost.of_plan([]), cost.of_plan(["fall"])
+    (INFINITE, mpq(1,1))
+    """
+    return AdditiveCost(actions, _off_goal(problem, goal, INFINITE))
+
+
+def distance_cost(
+    orientations: Mapping[Hashable, Angle], goal: Angle, actions: Prices = 0
+) -> AdditiveCost:
+    """Return the expected distance on the circle from a goal orientation, in degrees.
+
+    Parameters
+    ----------
+    orientations : mapping from states to Angle
+        Where each state is.
+    goal : Angle
+        Where it should be.
+    actions : number, or mapping, default 0
+        What the actions cost, in degrees.
+
+    Raises
+    ------
+    CostError
+        For an orientation that is no Angle.
+
+    Notes
+    -----
+    A distance is rational where both orientations are multiples of an eighth of a turn, or 71
+    degrees and 11; otherwise it is an angle sum, which a rational prior can weigh and a prior of
+    angle sums cannot.
+
+    Examples
+    --------
+    >>> cost = distance_cost({"a": Angle.from_degrees(350), "b": Angle(0, (0, 1))}, Angle())
+    >>> [cost.states[state].decimal(1) for state in "ab"]
+    ['10.0', '90.0']
+    """
+    distances = {}
+    for state, angle in orientations.items():
+        if not isinstance(angle, Angle):
+            raise CostError(
+                f"{angle!r:.60} is no orientation; accepted: an Angle",
+                where=f"orientation of state {state!r:.40}",
+            )
+        way = (angle - goal) % FULL_TURN
+        distances[state] = AngleSum(0, [(360, min(way, FULL_TURN - way))])
+    return AdditiveCost(actions, distances)
+
+
+def goal_numbers(problem: PlanningProblem, goal: Hashable | Iterable[Hashable]) -> frozenset[int]:
+    """Return the places of the goal states: one state, or a list or set of some.
+
+    Raises
+    ------
+    UnknownLabelError
+        If one is no state of the problem.
+    CostError
+        If there is none.
+    """
+    if isinstance(goal, list | set | frozenset):
+        found = frozenset(problem.state_number(state, where="goal") for state in goal)
+    else:
+        found = frozenset([problem.state_number(goal, where="goal")])  # type: ignore[arg-type]
+    if not found:
+        raise CostError("no goal state; accepted: at least one", where="goal")
+    return found
+
+
+def _off_goal(problem: PlanningProblem, goal: Any, cost: Any) -> dict[Hashable, Any]:
+    inside = goal_numbers(problem, goal)
+    return {state: cost for k, state in enumerate(problem.states) if k not in inside}
