@@ -19,6 +19,7 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import START_BITS, Ball, ball_sign, certified_float, working_precision
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.exact.predicates import sign
+from stochgeom.exact.scalars import from_float_exact
 from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
@@ -187,6 +188,23 @@ def number_sign(value: Any) -> int:
     (-1, 1)
     """
     return value.sign() if isinstance(value, AngleSum) else sign(value)
+
+
+def number_decimal(value: Any, digits: int = 4) -> str:
+    """Return a number of any kind as a decimal, correctly rounded.
+
+    Of a float, that is its own binary value, with whatever error computing it made.
+
+    Examples
+    --------
+    >>> number_decimal(mpq(2, 3)), number_decimal(0.125, 2), number_decimal(AngleSum("1/8"), 3)
+    ('0.6667', '0.12', '0.125')
+    """
+    if isinstance(value, float):
+        return rational_decimal(from_float_exact(value), digits)
+    if isinstance(value, type(mpq()) | int):
+        return rational_decimal(mpq(value), digits)
+    return str(value.decimal(digits))
 
 
 def _product(first: AngleSum, second: AngleSum) -> _Monomials:

@@ -1,0 +1,107 @@
+"""Plan trees as text, and in the language of Graphviz."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import count
+from typing import Any, Final
+
+from stochgeom.exact.quotients import number_decimal, quotient
+from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense, mass_of
+
+
+def label_text(label: Any) -> str:
+    """Return a label for people; angles in degrees.
+
+    Examples
+    --------
+    >>> from stochgeom.exact.angles import QUARTER_TURN
+    >>> label_text(QUARTER_TURN), label_text("up"), label_text(("2.00", "3.00"))
+    ('90.0000°', 'up', '2.00, 3.00')
+    """
+    if isinstance(label, tuple):
+        return ", ".join(map(label_text, label))
+    return str(label)
+
+
+def move_text(node: Node, tree: PlanTree, digits: int) -> str:
+    """Return what is done at a node: ``"read eye"``, ``"do turn"``, ``"accept up (0.9000)"``."""
+    if isinstance(node, Act):
+        return f"do {label_text(node.action)}"
+    if isinstance(node, Sense):
+        return f"read {label_text(node.sensor)}"
+    worth = quotient(node.gain if tree.accepts else 0 - node.gain, mass_of(node))
+    text = f"{label_text(node.decision)} ({number_decimal(worth, digits)})"
+    return ("accept " if tree.accepts else "") + text + (", good enough" * node.truncated)
+
+
+def reading_text(reading: Any, child: Node, parent: Node, digits: int) -> str:
+    """Return a reading with its probability, given that the parent is reached."""
+    share = quotient(mass_of(child), mass_of(parent))
+    return f"{label_text(reading)} ({number_decimal(share, digits)})"
+
+
+def tree_text(tree: PlanTree, digits: int = 4) -> str:
+    """Return a tree as text: a line for each move, and for each reading with its probability."""
+    return "\n".join(_lines(tree.root, tree, digits, "", ""))
+
+
+def _lines(node: Node, tree: PlanTree, digits: int, lead: str, indent: str) -> Iterator[str]:
+    yield lead + move_text(node, tree, digits)
+    if isinstance(node, Act):
+        yield from _lines(node.child, tree, digits, indent, indent)
+    elif isinstance(node, Sense):
+        for reading, child in node.branches:
+            text = f"{indent}  {reading_text(reading, child, node, digits)}"
+            if isinstance(child, Leaf):
+                yield f"{text}: {move_text(child, tree, digits)}"
+            else:
+                yield text
+                yield from _lines(child, tree, digits, f"{indent}    ", f"{indent}    ")
+
+
+def tree_dot(tree: PlanTree, digits: int = 4) -> str:
+    """Return a tree in the language of Graphviz.
+
+    Sensings are diamonds, actions boxes, leaves ellipses; the edges of a sensing carry the readings
+    with their probabilities.
+
+    Examples
+    --------
+    >>> from gmpy2 import mpq
+    >>> leaf = Leaf((mpq(1),), "up", mpq(1))
+    >>> print(tree_dot(PlanTree(Act((mpq(1),), "turn", mpq(1), leaf), ("up",))))
+    digraph plan {
+      rankdir=LR;
+      n0 [shape=box, label="do turn"];
+      n1 [shape=ellipse, label="accept up (1.0000)"];
+      n0 -> n1;
+    }
+    """
+    lines: list[str] = []
+    _dot(tree.root, tree, digits, lines, count())
+    return "\n".join(["digraph plan {", "  rankdir=LR;", *lines, "}"])
+
+
+_SHAPES: Final = {Act: "box", Sense: "diamond", Leaf: "ellipse"}
+
+
+def _dot(node: Node, tree: PlanTree, digits: int, lines: list[str], numbers: Iterator[int]) -> str:
+    """Write a subtree; return the name of its first node."""
+    # A subplan may be one object in several places; each place is a node of its own.
+    name = f"n{next(numbers)}"
+    text = _quoted(move_text(node, tree, digits))
+    lines.append(f"  {name} [shape={_SHAPES[type(node)]}, label={text}];")
+    if isinstance(node, Act):
+        lines.append(f"  {name} -> {_dot(node.child, tree, digits, lines, numbers)};")
+    elif isinstance(node, Sense):
+        for reading, child in node.branches:
+            label = _quoted(reading_text(reading, child, node, digits))
+            below = _dot(child, tree, digits, lines, numbers)
+            lines.append(f"  {name} -> {below} [label={label}];")
+    return name
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    return f'"{escaped}"'
