@@ -105,6 +105,8 @@ class CostOverProbability:
         return hash(self.decimal(12))
 
     def __lt__(self, other: CostOverProbability) -> bool:
+        if not isinstance(other, CostOverProbability):
+            return NotImplemented
         return self.compare(other) < 0
 
     def __float__(self) -> float:
