@@ -1,0 +1,259 @@
+"""How the best plan with sensors is found: one price for additive costs, several for quotients.
+
+A plan is best for the quotient E[cost] / P(success) exactly if it is best for cost - price * gain
+with its own quotient as the price; and that is additive, so the recursion finds it. Dinkelbach's
+iteration starts with any plan, takes its quotient for the price, finds the best plan at that price,
+and goes on from it. Each round lowers the quotient, there are finitely many plans, and where the
+quotient stays it is the least.
+
+Quotients of angle sums are in general irrational, and prices have to be rational for the values to
+stay sums of angles. So an irrational quotient is enclosed between two rational prices. The value of
+a plan is linear in the price: a plan that no other undercuts at both ends is undercut by none in
+between, so neither at its own quotient, and it is optimal, exactly. Only where two different plans
+have equal irrational quotients can the enclosure fail to decide, however narrow; such a plan is
+returned as not proven optimal, with the lower end as the bound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from time import monotonic
+from typing import Any, Final, TypeAlias
+
+from gmpy2 import mpq
+
+from stochgeom.decision.labels import Labels, named
+from stochgeom.decision.number_kinds import NumberKind, read_number
+from stochgeom.decision.planning_problem import PlanningProblem
+from stochgeom.errors import InputError, NoPlanError, SensorError, ShapeMismatchError
+from stochgeom.exact.decimals import Rounding, certified_decimal
+from stochgeom.exact.quotients import SumQuotient, quotient
+from stochgeom.sensing.decisions import Decisions
+from stochgeom.sensing.plan_tree import PlanTree
+from stochgeom.sensing.sensor_plan import SensorPlan
+from stochgeom.sensing.sensors import Sensor
+from stochgeom.sensing.tree_search import STAGES, OutOfTimeError, TreeSearch
+
+Sensors: TypeAlias = "Sensor | Iterable[Sensor] | Mapping[Any, Sensor]"
+"""One sensor, several, or several with labels."""
+
+_FIRST_DIGITS: Final = 20
+_MOST_DIGITS: Final = 160
+"""Decimals of the rational prices that enclose an irrational one: at first, and at most."""
+
+
+class PlanTask:
+    """A problem with its sensors, checked, and what is asked of it.
+
+    Attributes
+    ----------
+    good_enough : number, optional
+        The gain, per probability, at which subplans are cut off.
+    round_cost : number, optional
+        What a round costs besides its moves, of plans that are repeated.
+    """
+
+    good_enough: Any = None
+    round_cost: Any = None
+
+    def __init__(
+        self,
+        problem: PlanningProblem,
+        sensors: Sensors,
+        decisions: Decisions,
+        prices: tuple[Any, ...],
+        horizon: int | None,
+        stages: Sequence[str] | None,
+        node_limit: int,
+    ) -> None:
+        self.problem, self.decisions, self.prices = problem, decisions, prices
+        self.sensors = {
+            label: _fitting(sensor, label, problem) for label, sensor in labelled(sensors).items()
+        }
+        self.stages = _stages(horizon, stages)
+        self.node_limit = node_limit
+
+    def number(self, value: Any, where: str) -> Any:
+        """Return a number of the problem's kind."""
+        kind = NumberKind.RATIONAL if self.problem.exact else NumberKind.FLOAT
+        return read_number(value, kind, where)
+
+    def plan(self, tree: PlanTree, bound: Any, *, proven: bool) -> SensorPlan:
+        """Return a plan with what is known about it."""
+        largest = max(abs(gain) for row in self.decisions.gains for gain in row)
+        return SensorPlan(
+            tree,
+            self.round_cost,
+            proven,
+            bound,
+            max((sensor.row_error for sensor in self.sensors.values()), default=mpq(0)),
+            1 if self.decisions.accepts else largest,
+        )
+
+    def run(self, time_limit: float | None, progress: Callable[[float], None] | None) -> SensorPlan:
+        """Return the best plan, or the best one that time allows.
+
+        With a time limit, plans of no move are searched first, then those of one, and so on.
+        """
+        search = TreeSearch(
+            self.problem,
+            self.sensors,
+            self.decisions,
+            self.prices,
+            self.stages,
+            good_enough=self.good_enough,
+            node_limit=self.node_limit,
+        )
+        search.report = progress
+        moves = len(self.stages)
+        floor = self._floor(search)
+        best: PlanTree | None = None
+        if time_limit is not None:
+            search.deadline = monotonic() + time_limit
+        for depth in range(moves + 1) if time_limit is not None else [moves]:
+            try:
+                best, bound, proven = self._solve(search, depth)
+            except OutOfTimeError:
+                break
+            except NoPlanError:
+                if depth == moves:
+                    raise
+        else:
+            assert best is not None
+            certain = proven and self.good_enough is None
+            return self.plan(best, floor if self.good_enough is not None else bound, proven=certain)
+        if best is None:
+            raise NoPlanError(f"no plan was found in {time_limit} seconds; accepted: more of them")
+        return self.plan(best, floor, proven=False)
+
+    def _solve(self, search: TreeSearch, moves: int) -> tuple[PlanTree, Any, bool]:
+        """Return the best tree, a bound on the cost of all, and whether it is proven."""
+        if self.round_cost is not None:
+            return until_success(search, moves, self.round_cost)
+        value, tree = search.solve(1, moves)
+        return tree, value, True
+
+    def _floor(self, search: TreeSearch) -> Any:
+        """Return what no plan costs less than: the costs when states are seen."""
+        if self.round_cost is None:
+            return search.bound(1)
+        weights, best = search.root.weights, self.decisions.best_gains
+        gains = [w * g for w, g in zip(weights, best, strict=True)]
+        most = sum(gains[1:], start=gains[0])
+        return quotient(self.round_cost, most) if most else self.round_cost
+
+
+def until_success(search: TreeSearch, moves: int, round_cost: Any) -> tuple[PlanTree, Any, bool]:
+    """Return the tree of least cost per success, a bound, and whether it is proven.
+
+    Raises
+    ------
+    NoPlanError
+        If no tree ever succeeds.
+    """
+    best = _some_success(search, moves)
+    digits = _FIRST_DIGITS
+    while True:
+        ratio = quotient(round_cost + best.cost, best.gain)
+        prices = _enclosure(ratio, digits)
+        # Invariant: no tree was found whose quotient is less than that of `best`.
+        decided = True
+        for price in reversed(prices):
+            value, tree = search.solve(price, moves)
+            if tree.gain > 0 and quotient(round_cost + tree.cost, tree.gain) < ratio:
+                best = tree
+                break
+            decided &= not value < best.cost - best.gain * price
+        else:
+            if decided or isinstance(ratio, float):
+                return best, ratio, True
+            digits *= 2
+            if digits > _MOST_DIGITS:
+                return best, prices[0], False
+
+
+def _some_success(search: TreeSearch, moves: int) -> PlanTree:
+    """Return a plan that may succeed: to end at once, or the one that succeeds most often."""
+    _, tree = search.solve(0, 0)
+    if not tree.gain > 0:
+        _, tree = search.solve(1, moves, free=True)
+        if not tree.gain > 0:
+            raise NoPlanError(f"no plan of {moves} moves ever succeeds")
+    return tree
+
+
+def _enclosure(ratio: Any, digits: int) -> tuple[Any, ...]:
+    """Return the ratio, or two rational numbers around it."""
+    if not isinstance(ratio, SumQuotient):
+        return (ratio,)
+    return tuple(
+        mpq(certified_decimal(ratio.ball, digits, rounding))
+        for rounding in (Rounding.DOWN, Rounding.UP)
+    )
+
+
+# --- what is given -------------------------------------------------------------------------------
+
+
+def labelled(sensors: Sensors) -> dict[Any, Sensor]:
+    """Return sensors by label: their names where they have any.
+
+    Raises
+    ------
+    SensorError
+        If there is none, or what is given is none.
+
+    Examples
+    --------
+    >>> list(labelled([Sensor.blind(["a"]), Sensor.blind(["a"], name="eye")]))
+    ['sensor 0', 'eye']
+    """
+    if isinstance(sensors, Mapping):
+        found = dict(sensors)
+    else:
+        listed = [sensors] if isinstance(sensors, Sensor) else list(sensors)
+        names = [getattr(sensor, "name", None) for sensor in listed]
+        only = len(listed) == 1
+        labels = Labels(
+            [
+                ("sensor" if only else f"sensor {k}") if name is None else name
+                for k, name in enumerate(names)
+            ]
+            or ["none"],
+            "sensor",
+        )
+        found = dict(zip(labels, listed, strict=False))
+    for label, sensor in found.items():
+        if not isinstance(sensor, Sensor):
+            raise SensorError(
+                f"{sensor!r:.60} is no sensor; accepted: Sensor", where=f"sensor {named(label)}"
+            )
+    return found
+
+
+def _fitting(sensor: Sensor, label: Any, problem: PlanningProblem) -> Sensor:
+    """Return a sensor in the numbers of a problem, its states in the problem's order."""
+    place = f"sensor {named(label)}"
+    if sensor.states != problem.states:
+        for state in sensor.states:
+            problem.state_number(state)
+        raise ShapeMismatchError(
+            f"its states are {sensor.states!r:.60}; accepted: those of the problem, in its order",
+            where=place,
+        )
+    sensor.kind_with(problem.numbers)
+    return sensor.to_float() if sensor.exact and not problem.exact else sensor
+
+
+def _stages(horizon: int | None, stages: Sequence[str] | None) -> tuple[str, ...]:
+    """Return what each move may be, from a horizon or from a list."""
+    if (horizon is None) == (stages is None):
+        raise InputError("neither or both of a horizon and stages; accepted: one of them")
+    if stages is None:
+        if not isinstance(horizon, int) or isinstance(horizon, bool) or horizon < 0:
+            raise InputError(f"{horizon!r}; accepted: whole numbers from 0 on", where="horizon")
+        return ("any",) * horizon
+    for stage in stages:
+        if stage not in STAGES:
+            raise InputError(f"{stage!r}; accepted: {', '.join(STAGES)}", where="stages")
+    return tuple(stages)
