@@ -8,7 +8,8 @@ from typing import Any, final
 
 from gmpy2 import mpq
 
-from stochgeom.exact.quotients import quotient
+from stochgeom.errors import PrecisionLimitError
+from stochgeom.exact.quotients import number_decimal, quotient
 from stochgeom.sensing.plan_tree import PlanTree
 
 
@@ -73,6 +74,24 @@ class SensorPlan:
             return self.expected_cost - slack - drift, self.expected_cost + slack + drift
         cost, gain = self.cost_of_round, self.tree.gain
         return quotient(cost - slack, gain + drift), quotient(cost + slack, gain - drift)
+
+    def decimal(self, digits: int = 4) -> str:
+        """Return the expected cost as a decimal, correctly rounded.
+
+        Of a sensor with rounded likelihoods: the cost for the likelihoods that are meant.
+
+        Raises
+        ------
+        PrecisionLimitError
+            If the rounding of the likelihoods leaves the decimal open.
+        """
+        low, high = (number_decimal(bound, digits) for bound in self.cost_bounds)
+        if low != high:
+            raise PrecisionLimitError(
+                f"the expected cost is {low} or {high}; accepted: likelihoods of more digits",
+                where="expected cost",
+            )
+        return low
 
     def __repr__(self) -> str:
         kind = "" if self.proven else ", not proven optimal"

@@ -32,6 +32,7 @@ from stochgeom.decision.costs_to_go import CostsToGo, mean
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import NodeLimitError
+from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.decisions import Decisions
 from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense
 from stochgeom.sensing.sensors import Sensor
@@ -68,6 +69,10 @@ class _Move:
     cost: Any
     readings: tuple[int, ...]
     following: tuple[_Point, ...]
+
+
+def _form(number: AngleSum) -> tuple[Any, ...]:
+    return number.constant, frozenset(number.terms)
 
 
 def tree_size(stages: Sequence[str], actions: int, readings: int) -> int:
@@ -137,9 +142,10 @@ class TreeSearch:
         self._prices, self._stages = prices, tuple(stages)
         self._good_enough = good_enough
         self._floats = problem.numbers is NumberKind.FLOAT
+        self._sums = problem.numbers is NumberKind.ANGLE_SUMS
         self.deadline: float | None = None
         self.report: Callable[[float], None] | None = None
-        readings = sum(len(sensor.readings) for sensor in self._sensors)
+        readings = sum(any(column) for s in self._sensors for column in s.columns)
         size = tree_size(stages, len(problem.actions), readings)
         if size > node_limit:
             raise NodeLimitError(
@@ -156,11 +162,14 @@ class TreeSearch:
     # --- nodes -----------------------------------------------------------------------------------
 
     def _point(self, weights: tuple[Any, ...]) -> _Point:
-        found = self._points.get(weights)
+        # Whether sums of angles are equal is decided by their terms here: to merge less than all
+        # that is equal is no error, and the exact test would cost more than it saves.
+        key = tuple(map(_form, weights)) if self._sums else weights
+        found = self._points.get(key)
         if found is None:
             mass = sum(weights[1:], start=weights[0])
             found = _Point(weights, mass, *self._decisions.best(weights))
-            self._points[weights] = found
+            self._points[key] = found
         return found
 
     def _acts(self, point: _Point) -> list[_Move]:
