@@ -433,3 +433,39 @@ def circle_points(draw: st.DrawFn) -> list[tuple[Angle, Fraction]]:
     places += [place + TINY for place in places if draw(st.booleans())]
     counts = [draw(st.integers(1, 3)) for _ in places]
     return [(p, Fraction(count, sum(counts))) for p, count in zip(places, counts, strict=True)]
+
+
+# --- planning problems ---------------------------------------------------------------------------
+
+
+@st.composite
+def distributions(draw: st.DrawFn, size: int) -> list[Fraction]:
+    """Probabilities of sum 1 with small denominators, many of them 0 or equal."""
+    counts = draw(st.lists(st.sampled_from([0, 0, 1, 1, 2, 3]), min_size=size, max_size=size))
+    if not any(counts):
+        counts[draw(st.integers(0, size - 1))] = 1
+    return [Fraction(count, sum(counts)) for count in counts]
+
+
+@st.composite
+def problem_tables(
+    draw: st.DrawFn, *, states: int = 4, actions: int = 3
+) -> tuple[list[Fraction], list[list[list[Fraction]]]]:
+    """A prior and stochastic matrices; some actions are deterministic, some are alike."""
+    n = draw(st.integers(1, states))
+    m = draw(st.integers(1, actions))
+    tables = []
+    for _ in range(m):
+        if draw(st.booleans()):
+            targets = draw(st.lists(st.integers(0, n - 1), min_size=n, max_size=n))
+            tables.append([[Fraction(j == target) for j in range(n)] for target in targets])
+        else:
+            tables.append([draw(distributions(n)) for _ in range(n)])
+    return draw(distributions(n)), tables
+
+
+action_prices = st.sampled_from([0, 0, Fraction(1, 8), Fraction(1, 2), 1, 2])
+"""Prices of actions: free ones and equal ones among them."""
+
+state_costs = st.sampled_from([0, 0, 1, 1, 2, Fraction(-1, 2), Fraction(7, 3), math.inf])
+"""Costs of states: equal, negative and infinite ones among them."""

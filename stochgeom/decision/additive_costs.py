@@ -90,8 +90,12 @@ class AdditiveModel(CostModel):
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return spent + sum lambda_i V_left(i)."""
         if left is None:
-            return spent + self._floor
+            return self.floor(spent)
         return spent + mean(hyperstate, self._to_go(left))
+
+    def floor(self, spent: Any) -> Any:
+        """Return spent + the least C(i)."""
+        return spent + self._floor
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]

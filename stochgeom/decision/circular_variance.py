@@ -111,17 +111,20 @@ class VarianceModel(CostModel):
         if self.problem.numbers is NumberKind.FLOAT:
             mean = np.asarray(hyperstate) @ self._vectors
             return float(spent + 1.0 - mean @ mean)
-        return circular_variance(self._orientations, hyperstate) + self._floor(spent)
+        return circular_variance(self._orientations, hyperstate) + self.floor(spent)
 
-    def _floor(self, spent: Any) -> Any:
+    def floor(self, spent: Any) -> Any:
+        """Return what is spent."""
         # Enclosed numbers are added to and compared with their own kind.
         return Enclosed([], AngleSum(spent)) if self._enclosed else spent
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return what is spent, or the cost of stopping here if nothing may follow."""
-        if left == 0:
-            return self.value(spent, hyperstate)
-        return self._floor(spent)
+        return self.value(spent, hyperstate) if left == 0 else self.floor(spent)
+
+    def as_cost(self, value: Any) -> Any:
+        """Return a number in the form of this model's costs."""
+        return self.floor(super().as_cost(value))
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]

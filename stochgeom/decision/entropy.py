@@ -74,15 +74,20 @@ class EntropyModel(CostModel):
 
     def value(self, spent: Any, hyperstate: Vector) -> Any:
         """Return spent + H."""
-        return entropy(hyperstate) + spent
+        return entropy(hyperstate) + self.floor(spent)
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return what is spent, or the cost of stopping here if nothing may follow."""
-        if left == 0:
-            return self.value(spent, hyperstate)
-        if self.problem.numbers is NumberKind.ANGLE_SUMS:
-            return Enclosed([], AngleSum(spent))
-        return spent
+        return self.value(spent, hyperstate) if left == 0 else self.floor(spent)
+
+    def floor(self, spent: Any) -> Any:
+        """Return what is spent."""
+        is_enclosed = self.problem.numbers is NumberKind.ANGLE_SUMS
+        return Enclosed([], AngleSum(spent)) if is_enclosed else spent
+
+    def as_cost(self, value: Any) -> Any:
+        """Return a number in the form of this model's costs."""
+        return self.floor(super().as_cost(value))
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]

@@ -46,16 +46,16 @@ class Infinite:
 
     def compare(self, other: Any) -> int:
         """Return 0 for infinity, 1 for anything else."""
-        return 0 if isinstance(other, Infinite) else 1
+        return int(not is_infinite(other))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Infinite)
+        return is_infinite(other)
 
     def __lt__(self, other: object) -> bool:
         return False
 
     def __gt__(self, other: object) -> bool:
-        return not isinstance(other, Infinite)
+        return not is_infinite(other)
 
     def __hash__(self) -> int:
         return hash(math.inf)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from stochgeom.decision.additive_costs import goal_numbers
 from stochgeom.decision.costs import CostOverProbability
 from stochgeom.decision.costs_to_go import CostsToGo, Values, mean
-from stochgeom.decision.infinity import INFINITE
+from stochgeom.decision.infinity import INFINITE, is_infinite
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices, read_prices
 from stochgeom.decision.rounds import Rounds
@@ -121,8 +121,7 @@ class IterativeModel(CostModel):
         """Return the least of (spent + j * least price + test) / (bound on p), for all j."""
         best = self.value(spent, hyperstate)
         if left is None:
-            more = self._over(spent + self.least_price + self.test, self._certain)
-            return min(best, more)
+            return min(best, self.floor(spent + self.least_price))
         # Free actions only help: then the largest j alone gives the least quotient.
         first = 1 if self.least_price else max(left, 1)
         for j in range(first, left + 1):
@@ -130,6 +129,15 @@ class IterativeModel(CostModel):
             cost = self._over(spent + j * self.least_price + self.test, reach)
             best = min(best, cost)
         return best
+
+    def floor(self, spent: Any) -> Any:
+        """Return spent + test, the cost of one round."""
+        return self._over(spent + self.test, self._certain)
+
+    def as_cost(self, value: Any) -> Any:
+        """Return a number in the form of this model's costs."""
+        number = super().as_cost(value)
+        return number if is_infinite(number) else self._over(number, self._certain)
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from stochgeom.decision.infinity import INFINITE
+from stochgeom.decision.infinity import INFINITE, is_infinite
 from stochgeom.decision.number_kinds import NumberKind, common_kind, read_number
 from stochgeom.errors import CostError, StochgeomError
 
@@ -98,6 +98,39 @@ class CostModel(ABC):
         """
 
     @abstractmethod
+    def floor(self, spent: Any) -> Any:
+        """Return a lower bound on the cost of all plans that spend so much or more."""
+
+    def longest(self, cost: Any) -> int | None:
+        """Return how many actions a plan can have that costs as little as this, None if no end.
+
+        There is a bound where the actions' prices are bounded away from 0, and the cost is not
+        infinite (thesis 2.4): k actions spend at least k times the least price.
+
+        Examples
+        --------
+        >>> from gmpy2 import mpq
+        >>> from stochgeom.decision.additive_costs import AdditiveCost
+        >>> from stochgeom.decision.planning_problem import PlanningProblem
+        >>> turn = PlanningProblem.from_matrices(["1/4", "3/4"], {"turn": [[0, 1], [1, 0]]})
+        >>> AdditiveCost(actions="1/8", states={"1": 1}).on(turn).longest(mpq(3, 4))
+        6
+        """
+        if not self.least_price or is_infinite(cost):
+            return None
+        low, high = 0, 1
+        while not cost < self.floor(high * self.least_price):
+            low, high = high, 2 * high
+        while high - low > 1:
+            # Invariant: so many as `low` may be worth their cost, so many as `high` are not.
+            middle = (low + high) // 2
+            if cost < self.floor(middle * self.least_price):
+                high = middle
+            else:
+                low = middle
+        return low
+
+    @abstractmethod
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]
     ) -> NDArray[np.float64]:
@@ -123,6 +156,16 @@ class CostModel(ABC):
         """
         actions = list(plan)
         return self.value(self.spent_on(actions), self.problem.run(actions))
+
+    def as_cost(self, value: Any) -> Any:
+        """Return a number in the form of this model's costs, so that the two compare.
+
+        Raises
+        ------
+        CostError
+            If it is of another kind than the problem's numbers.
+        """
+        return _read_cost(self.problem, value, "cost")
 
     @property
     def nothing(self) -> Any:

@@ -74,12 +74,16 @@ class MinimaxModel(CostModel):
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return spent + the largest W_left(i) of a possible state."""
         if left is None:
-            return spent + self._floor
+            return self.floor(spent)
         return spent + self._worst(hyperstate, self._to_go(left))
 
     @staticmethod
     def _worst(hyperstate: Vector, costs: Values) -> Any:
         return max(cost for share, cost in zip(hyperstate, costs, strict=True) if share)
+
+    def floor(self, spent: Any) -> Any:
+        """Return spent + the least C(i)."""
+        return spent + self._floor
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]
