@@ -176,9 +176,9 @@ def sensor_of_diameters(
                 "noise without bits; accepted: a number of bits, or no noise", where="noise"
             )
         return _exact_sensor(squares, cost)
-    covered = _range(between, squares)
+    covered = covered_range(between, squares)
     edges = covered.edges(_bits(bits))
-    deviation = _deviation(noise, sd, covered)
+    deviation = noise_deviation(noise, sd, covered)
     readings = _bin_names(edges)
     name = f"diameter, {bits} bit{'s' * (bits != 1)}"
     if deviation == 0:
@@ -271,9 +271,16 @@ def _bits(bits: int) -> int:
     return bits
 
 
-def _range(
+def covered_range(
     between: tuple[RationalLike, RationalLike] | None, squares: Mapping[Any, mpq]
 ) -> JawRange:
+    """Return the range of a sensor: the one given, or that of the diameters.
+
+    Examples
+    --------
+    >>> covered_range(("1.5", "3.5"), {}).width
+    mpq(2,1)
+    """
     if between is None:
         return jaw_range(squares.values())
     low, high = (rational(value, where="range of the sensor") for value in between)
@@ -284,8 +291,14 @@ def _range(
     return JawRange(low, high)
 
 
-def _deviation(noise: RationalLike, sd: RationalLike | None, covered: JawRange) -> mpq:
-    """Return the standard deviation as a length."""
+def noise_deviation(noise: RationalLike, sd: RationalLike | None, covered: JawRange) -> mpq:
+    """Return the standard deviation of the noise as a length.
+
+    Examples
+    --------
+    >>> noise_deviation("0.05", None, JawRange(mpq(2), mpq(4)))
+    mpq(1,10)
+    """
     share = rational(noise, where="noise")
     if sd is not None and share != 0:
         raise SensorError("noise and sd given; accepted: one of them", where="noise")

@@ -127,6 +127,8 @@ class PlanTree:
     accepts : bool, default True
         Whether the gain of a decision is the probability that it is right; otherwise it is a loss,
         with the sign turned.
+    action_form : str, default "do {}"
+        How texts name an action.
 
     Examples
     --------
@@ -150,6 +152,7 @@ class PlanTree:
     root: Node
     states: tuple[Any, ...]
     accepts: bool = True
+    action_form: str = "do {}"
 
     def nodes(self) -> Iterator[Node]:
         """Yield all nodes, each before those below it."""

@@ -8,7 +8,7 @@ So a plan that never looks costs what `stochgeom.feeding` says it does.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
@@ -20,7 +20,12 @@ from stochgeom.feeding.planning_problems import OrientingProblem, planning_probl
 from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import as_part
-from stochgeom.sensing.diameter_sensor import LIKELIHOOD_DIGITS, diameter_sensor
+from stochgeom.sensing.diameter_sensor import (
+    LIKELIHOOD_DIGITS,
+    covered_range,
+    noise_deviation,
+    sensor_of_diameters,
+)
 from stochgeom.sensing.one_step import OneStepPlan, one_step_plan
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensor_plan import SensorPlan
@@ -93,6 +98,12 @@ class SensingProblem:
         than half a turn, which a sensor may well notice, squeezes at angles of a whole turn.
     sensor : Sensor
         The sensor.
+    squared_diameters : dict from state labels to mpq
+        What it measures, squared.
+    covered : JawRange
+        The sensor's range.
+    deviation : mpq
+        Standard deviation of its noise, as a length.
 
     Examples
     --------
@@ -123,13 +134,18 @@ class SensingProblem:
             transfer, prior=prior, all_periods=transfer.order > 2, name=self.part.name
         )
         self.accepted = None if accepted is None else tuple(accepted)
-        self.sensor = diameter_sensor(
-            diameter,
+        self.squared_diameters = {
+            label: diameter.squared(theta) for label, theta in self.states.items()
+        }
+        self.bits = bits
+        self.covered = covered_range(between, self.squared_diameters)
+        self.deviation = noise_deviation(noise, sd, self.covered)
+        self.sensor = sensor_of_diameters(
+            self.squared_diameters,
             bits,
             noise,
             sd=sd,
             between=between,
-            orientations=self.orienting.orientations,
             cost=sensor_cost,
             digits=digits,
         )
@@ -171,9 +187,9 @@ class SensingProblem:
         horizon, stages, good_enough, node_limit, time_limit, progress
             As for `iterative_sensor_plan`.
         """
-        return iterative_sensor_plan(
+        plan = iterative_sensor_plan(
             self.orienting.problem,
-            {self.sensor.name: self.sensor},
+            {"diameter": self.sensor},
             horizon,
             stages=stages,
             round_cost=self.round_cost,
@@ -183,9 +199,10 @@ class SensingProblem:
             time_limit=time_limit,
             progress=progress,
         )
+        return replace(plan, tree=replace(plan.tree, action_form="turn {}, squeeze"))
 
     def compare_orders(
-        self, actions: int, progress: Callable[[float], None] | None = None
+        self, actions: int, *, mixed: SensorPlan | None = None, **settings: Any
     ) -> OrderComparison:
         """Return what looking before acting costs, and what looking after it (7.2.5).
 
@@ -193,8 +210,10 @@ class SensingProblem:
         ----------
         actions : int
             Most squeezes after the first one, 0 or more.
-        progress : callable, optional
-            Told shares of the work done.
+        mixed : SensorPlan, optional
+            The plan of ``actions + 1`` moves of any kind, if it is known.
+        **settings
+            Limits and progress, as for `plan`.
 
         Examples
         --------
@@ -212,12 +231,12 @@ class SensingProblem:
         squeezes = ["act"] * actions
 
         def best(stages: Sequence[str]) -> SensorPlan:
-            return self.plan(stages=stages, progress=progress)
+            return self.plan(stages=stages, **settings)
 
         return OrderComparison(
             actions,
             best(squeezes),
             best(["sense", *squeezes]),
             best([*squeezes, "sense"]),
-            best(["any"] * (actions + 1)),
+            best(["any"] * (actions + 1)) if mixed is None else mixed,
         )

@@ -32,6 +32,7 @@ from stochgeom.decision.costs_to_go import CostsToGo, mean
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import NodeLimitError
+from stochgeom.exact.quotients import number_sign
 from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.decisions import Decisions
 from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense
@@ -73,6 +74,17 @@ class _Move:
 
 def _form(number: AngleSum) -> tuple[Any, ...]:
     return number.constant, frozenset(number.terms)
+
+
+def _is_nothing(weight: Any) -> bool:
+    """Tell whether a weight is 0.
+
+    Of sums of angles by their form: weights are not negative and begin with an exact test, so that
+    later ones are 0 only where they were multiplied by 0.
+    """
+    if isinstance(weight, AngleSum):
+        return not weight.terms and weight.constant == 0
+    return not weight
 
 
 def tree_size(stages: Sequence[str], actions: int, readings: int) -> int:
@@ -155,9 +167,15 @@ class TreeSearch:
                 where="horizon",
             )
         self._points: dict[tuple[Any, ...], _Point] = {}
-        self.root = self._point(tuple(map(float, problem.prior) if self._floats else problem.prior))
+        self.root = self._point(self._prior())
         self._price: Any = 1
         self._known: dict[tuple[_Point, int], tuple[Any, tuple[int, _Move] | None]] = {}
+
+    def _prior(self) -> tuple[Any, ...]:
+        """Return the prior as plain floats, or as exact numbers whose zeros have the form of 0."""
+        if self._floats:
+            return tuple(map(float, self._problem.prior))
+        return tuple(p if number_sign(p) else 0 * p for p in self._problem.prior)
 
     # --- nodes -----------------------------------------------------------------------------------
 
@@ -198,7 +216,7 @@ class TreeSearch:
                     weights = tuple(
                         w if p == 1 else w * p for w, p in zip(point.weights, column, strict=True)
                     )
-                    if any(weights):
+                    if not all(map(_is_nothing, weights)):
                         places.append(k)
                         following.append(self._point(weights))
                 cost = point.mass * sensor.cost

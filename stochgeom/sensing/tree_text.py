@@ -27,7 +27,7 @@ def label_text(label: Any) -> str:
 def move_text(node: Node, tree: PlanTree, digits: int) -> str:
     """Return what is done at a node: ``"read eye"``, ``"do turn"``, ``"accept up (0.9000)"``."""
     if isinstance(node, Act):
-        return f"do {label_text(node.action)}"
+        return tree.action_form.format(label_text(node.action))
     if isinstance(node, Sense):
         return f"read {label_text(node.sensor)}"
     worth = quotient(node.gain if tree.accepts else 0 - node.gain, mass_of(node))
