@@ -144,6 +144,4 @@ def _orders(orders: OrderComparison, digits: int) -> str:
     lines = [[text, plan.decimal(digits) + " *" * (not plan.proven)] for text, plan in rows]
     title = "Look first or squeeze first?" if orders.actions else "With and without a look"
     note = "\n  * not proven to be the least" if any("*" in cost for _, cost in lines) else ""
-    return (
-        "Look first or squeeze first?\n" + table(["plan", "expected cost"], lines, left=[0]) + note
-    )
+    return f"{title}\n{table(['plan', 'expected cost'], lines, left=[0])}{note}"
