@@ -2,8 +2,8 @@
 
     C(plan, lambda) = c(a_1) + ... + c(a_k) + sum over i of lambda_i C(i)          (Eq. 2.5, 2.7)
 
-Three of them have names: the probability of missing a goal, infinite cost off the goal (guaranteed
-plans, 2.5.3, ranked by what they cost, 7.1.1), and the distance to a goal orientation.
+The distance to a goal orientation is one of them; two more have names of their own in
+`stochgeom.decision.goal_costs`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stochgeom.decision.costs_to_go import CostsToGo, mean
-from stochgeom.decision.infinity import INFINITE
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices, read_state_costs
 from stochgeom.errors import CostError
 from stochgeom.exact.angles import FULL_TURN, Angle
@@ -109,54 +108,8 @@ class AdditiveModel(CostModel):
         return found
 
 
-def goal_cost(
-    problem: PlanningProblem, goal: Hashable | Iterable[Hashable], actions: Prices = 0
-) -> AdditiveCost:
-    """Return the cost of missing a goal: 0 in the goal states, 1 in all others (thesis 2.1).
-
-    The cost of a plan is what its actions cost plus 1 minus the probability of the goal; with the
-    default, free actions, the best plan is the most likely to succeed.
-
-    Parameters
-    ----------
-    problem : PlanningProblem
-        Whose states.
-    goal : state, or list or set of states
-        Where the plan should end.
-    actions : number, or mapping, default 0
-        What the actions cost.
-
-    Examples
-    --------
-    >>> from stochgeom.decision.planning_problem import PlanningProblem
-    >>> turn = PlanningProblem.from_matrices(["1/4", "3/4"], {"turn": [[0, 1], [1, 0]]})
-    >>> goal_cost(turn, "0").on(turn).of_plan(["turn"])
-    mpq(1,4)
-    """
-    return AdditiveCost(actions, _off_goal(problem, goal, 1))
-
-
-def guaranteed_cost(
-    problem: PlanningProblem, goal: Hashable | Iterable[Hashable], actions: Prices = 1
-) -> AdditiveCost:
-    """Return the cost that only guaranteed plans keep finite (thesis 2.5.3, 7.1.1).
-
-    Infinite off the goal, with 0 * infinity = 0; a plan that is certain to end in the goal costs
-    what its actions cost, so that the best one is the cheapest of the guaranteed plans.
-
-    Examples
-    --------
-    >>> from stochgeom.decision.planning_problem import PlanningProblem
-    >>> fall = PlanningProblem.from_matrices(["1/4", "3/4"], {"fall": [[0, 1], [0, 1]]})
-    >>> cost = guaranteed_cost(fall, "1").on(fall)
-    >>> cost.of_plan([]), cost.of_plan(["fall"])
-    (INFINITE, mpq(1,1))
-    """
-    return AdditiveCost(actions, _off_goal(problem, goal, INFINITE))
-
-
 def distance_cost(
-    orientations: Mapping[Hashable, Angle], goal: Angle, actions: Prices = 0
+    orientations: Mapping[Any, Angle], goal: Angle, actions: Prices = 0
 ) -> AdditiveCost:
     """Return the expected distance on the circle from a goal orientation, in degrees.
 
@@ -215,8 +168,3 @@ def goal_numbers(problem: PlanningProblem, goal: Hashable | Iterable[Hashable]) 
     if not found:
         raise CostError("no goal state; accepted: at least one", where="goal")
     return found
-
-
-def _off_goal(problem: PlanningProblem, goal: Any, cost: Any) -> dict[Hashable, Any]:
-    inside = goal_numbers(problem, goal)
-    return {state: cost for k, state in enumerate(problem.states) if k not in inside}

@@ -19,7 +19,7 @@ so it does not change under rotation and reflection.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, final
@@ -66,7 +66,7 @@ class VarianceCost(PlanCost):
     mpq(1,2)
     """
 
-    orientations: Mapping[Hashable, Angle]
+    orientations: Mapping[Any, Angle]
     actions: Prices = 0
 
     def on(self, problem: PlanningProblem) -> VarianceModel:

@@ -7,7 +7,7 @@ certain; of angle sums it is enclosed as tightly as asked.
 
 Entropy tells how sure the state is, not how good. With one desirable and one undesirable state:
 
->>> from stochgeom.decision.additive_costs import goal_cost
+>>> from stochgeom.decision.goal_costs import GoalCost
 >>> from stochgeom.decision.planning_problem import PlanningProblem
 >>> problem = PlanningProblem(
 ...     ["good", "bad"], ["1/2", "1/2"], ["wait", "spoil"],
@@ -15,7 +15,7 @@ Entropy tells how sure the state is, not how good. With one desirable and one un
 ... )
 >>> [str(EntropyCost().on(problem).of_plan([action])) for action in problem.actions]
 ['1.0000', '0.0808']
->>> [str(goal_cost(problem, "good").on(problem).of_plan([a])) for a in problem.actions]
+>>> [str(GoalCost("good").on(problem).of_plan([a])) for a in problem.actions]
 ['1/2', '99/100']
 
 By entropy the better plan is to spoil: then the state is almost certain, and bad.

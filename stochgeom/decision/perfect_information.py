@@ -8,15 +8,18 @@ that is an ordinary shortest path.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any, Final, final
 
-from stochgeom.decision.additive_costs import AdditiveCost
+from stochgeom.decision.additive_costs import AdditiveModel
 from stochgeom.decision.costs_to_go import Values, backed_up, mean
+from stochgeom.decision.plan_results import model_of
 from stochgeom.errors import InputError, ProblemError
 
 if TYPE_CHECKING:
     from stochgeom.decision.plan_costs import PlanCost
     from stochgeom.decision.planning_problem import PlanningProblem
+
+_ADDITIVE: Final = "AdditiveCost, GoalCost, GuaranteedCost"
 
 
 @final
@@ -73,7 +76,7 @@ def observed_policy(
         States, actions, matrices, prior.
     horizon : int
         Most actions.
-    cost : AdditiveCost, optional
+    cost : AdditiveCost, GoalCost or GuaranteedCost, optional
         Default: the problem's own. It must be additive: of other costs the best action in a state
         depends on more than the state.
 
@@ -99,12 +102,11 @@ def observed_policy(
     >>> seen.expected_cost, seen.action(1, 3), seen.action(2, 3)
     (mpq(63,160), 'right', None)
     """
-    chosen = problem.cost if cost is None else cost
-    if not isinstance(chosen, AdditiveCost):
-        raise ProblemError(f"the cost is {chosen!r:.60}; accepted: an AdditiveCost")
+    model = model_of(problem, cost)
+    if not isinstance(model, AdditiveModel):
+        raise ProblemError(f"{model.__class__.__name__} is not additive; accepted: {_ADDITIVE}")
     if horizon < 0:
         raise InputError(f"horizon {horizon}; accepted: 0 or more")
-    model = chosen.on(problem)
     costs = [model.state_costs]
     choices: list[tuple[Any, ...]] = [(None,) * len(problem.states)]
     for _ in range(horizon):

@@ -127,11 +127,11 @@ def best_action(problem: PlanningProblem, cost: PlanCost | None = None) -> PlanR
 
     Examples
     --------
-    >>> from stochgeom.decision.additive_costs import goal_cost
+    >>> from stochgeom.decision.goal_costs import GoalCost
     >>> turn = PlanningProblem(
     ...     ["a", "b"], ["1/4", "3/4"], ["stay", "turn"], [[[1, 0], [0, 1]], [[0, 1], [1, 0]]]
     ... )
-    >>> best_action(turn, goal_cost(turn, "a")).optimal
+    >>> best_action(turn, GoalCost("a")).optimal
     (('turn',),)
     """
     return find_plan(problem, 1, cost, all_optimal=True)

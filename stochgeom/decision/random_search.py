@@ -63,13 +63,13 @@ def random_plan(
     Examples
     --------
     >>> from gmpy2 import mpq
-    >>> from stochgeom.decision.additive_costs import goal_cost
+    >>> from stochgeom.decision.goal_costs import GoalCost
     >>> from stochgeom.decision.planning_problem import PlanningProblem
     >>> problem = PlanningProblem.from_function(
     ...     range(4), [mpq(1, 4)] * 4, ["left", "right"],
     ...     lambda k, a: max(k - 1, 0) if a == "left" else min(k + 1, 3),
     ... )
-    >>> found = random_plan(problem, 5, goal_cost(problem, 0), seed=1, threshold="1/4")
+    >>> found = random_plan(problem, 5, GoalCost(0), seed=1, threshold="1/4")
     >>> found.cost <= mpq(1, 4), found.reason
     (True, 'threshold')
     """

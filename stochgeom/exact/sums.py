@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import cached_property, total_ordering
+from functools import cached_property, lru_cache, total_ordering
 from typing import TYPE_CHECKING, Any, Final, Protocol, final
 
 from gmpy2 import mpq, mpz
@@ -136,7 +136,9 @@ class AngleSum:
     @cached_property
     def rational(self) -> mpq | None:
         """The exact value if it is rational, else None."""
-        return rational_form(self.constant, self.terms)
+        return (
+            _rational_value(self.constant, frozenset(self.terms)) if self.terms else self.constant
+        )
 
     # --- arithmetic ------------------------------------------------------------------------------
 
@@ -272,6 +274,12 @@ class AngleSum:
 
     def __str__(self) -> str:
         return self.decimal(4)
+
+
+@lru_cache(maxsize=4096)
+def _rational_value(constant: mpq, terms: frozenset[tuple[mpq, Angle]]) -> mpq | None:
+    """Return the value if it is rational: a costly question, and hyperstates repeat their sums."""
+    return rational_form(constant, terms)
 
 
 def _made(constant: mpq, terms: tuple[tuple[mpq, Angle], ...]) -> AngleSum:
