@@ -469,3 +469,20 @@ action_prices = st.sampled_from([0, 0, Fraction(1, 8), Fraction(1, 2), 1, 2])
 
 state_costs = st.sampled_from([0, 0, 1, 1, 2, Fraction(-1, 2), Fraction(7, 3), math.inf])
 """Costs of states: equal, negative and infinite ones among them."""
+
+
+# --- sensors -------------------------------------------------------------------------------------
+
+
+@st.composite
+def likelihoods(draw: st.DrawFn, states: int, *, readings: int = 3) -> list[list[Fraction]]:
+    """A row of reading probabilities for each state; half of the tables are without noise."""
+    count = draw(st.integers(1, readings))
+    if draw(st.booleans()):
+        seen = draw(st.lists(st.integers(0, count - 1), min_size=states, max_size=states))
+        return [[Fraction(k == x) for k in range(count)] for x in seen]
+    return [draw(distributions(count)) for _ in range(states)]
+
+
+look_prices = st.sampled_from([0, 0, 0, Fraction(1, 4), 1])
+"""Costs of a look; most are free."""
