@@ -17,6 +17,7 @@ from typing import Any, NoReturn
 import stochgeom.errors as errors
 from stochgeom.cli import (
     audit_command,
+    decide_command,
     parts_command,
     plan_command,
     sense_command,
@@ -30,6 +31,7 @@ EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 _COMMANDS = (
     plan_command,
+    decide_command,
     sense_command,
     verify_command,
     audit_command,

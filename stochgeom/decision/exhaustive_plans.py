@@ -50,8 +50,9 @@ def check_count(actions: int, horizon: int, shortest: int, node_limit: int) -> i
         while fits and count_plans(actions, fits, shortest) > node_limit:
             fits -= 1
         raise NodeLimitError(
-            f"horizon {horizon} with {actions} actions has {total} plans, the limit is "
-            f"{node_limit} nodes; accepted: a horizon of at most {fits}, or a higher limit"
+            f"{actions} actions make {total} plans of at most {horizon}, the limit is {node_limit} "
+            f"nodes; accepted: a horizon of at most {fits}, or a higher limit",
+            where="horizon",
         )
     return total
 

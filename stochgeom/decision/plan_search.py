@@ -165,7 +165,7 @@ def _check(
                 "a horizon, or prices above 0"
             )
     elif horizon < shortest:
-        raise InputError(f"horizon {horizon}; accepted: {shortest} or more", where="horizon")
+        raise InputError(f"{horizon} actions; accepted: {shortest} or more", where="horizon")
 
 
 # --- breadth first -------------------------------------------------------------------------------
