@@ -201,7 +201,9 @@ def labelled(sensors: Sensors) -> dict[Any, Sensor]:
     Raises
     ------
     SensorError
-        If there is none, or what is given is none.
+        If what is given is no sensor.
+    DuplicateLabelError
+        If two have one name.
 
     Examples
     --------
@@ -212,17 +214,11 @@ def labelled(sensors: Sensors) -> dict[Any, Sensor]:
         found = dict(sensors)
     else:
         listed = [sensors] if isinstance(sensors, Sensor) else list(sensors)
-        names = [getattr(sensor, "name", None) for sensor in listed]
-        only = len(listed) == 1
-        labels = Labels(
-            [
-                ("sensor" if only else f"sensor {k}") if name is None else name
-                for k, name in enumerate(names)
-            ]
-            or ["none"],
-            "sensor",
-        )
-        found = dict(zip(labels, listed, strict=False))
+        names = [
+            getattr(sensor, "name", None) or ("sensor" if len(listed) == 1 else f"sensor {k}")
+            for k, sensor in enumerate(listed)
+        ]
+        found = dict(zip(Labels(names, "sensor") if names else (), listed, strict=True))
     for label, sensor in found.items():
         if not isinstance(sensor, Sensor):
             raise SensorError(
@@ -241,7 +237,7 @@ def _fitting(sensor: Sensor, label: Any, problem: PlanningProblem) -> Sensor:
             f"its states are {sensor.states!r:.60}; accepted: those of the problem, in its order",
             where=place,
         )
-    sensor.kind_with(problem.numbers)
+    sensor.check_kind(problem.numbers)
     return sensor.to_float() if sensor.exact and not problem.exact else sensor
 
 

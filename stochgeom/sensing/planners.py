@@ -46,7 +46,8 @@ def sensor_plan(
     problem : PlanningProblem
         What is known before, and what actions do.
     sensors : Sensor, or several, or mapping from labels
-        What may be looked at, as often as one likes; each costs its own cost.
+        What may be looked at, as often as one likes; each costs its own cost. Of none: plans that
+        do not look.
     horizon : int, optional
         Most moves on any way through the tree, sensings included.
     stages : sequence of str, optional
@@ -70,7 +71,7 @@ def sensor_plan(
     NodeLimitError
         If the tree of all plans has more nodes than the limit; says how many.
     SensorError, ShapeMismatchError, MixedNumbersError
-        If there is no sensor, or one does not fit the problem.
+        If what is given is no sensor, or does not fit the problem.
 
     Notes
     -----

@@ -312,27 +312,31 @@ posterior; accepted: 'a'
                 where="hyperstate",
             )
         entries = list(numbered(listed, "hyperstate"))
-        kind = self.kind_with(common_kind(entries))
+        kind = common_kind([*entries, *self._telling])
         return tuple(read_number(value, kind, where) for value, where in entries)
 
-    def kind_with(self, other: NumberKind) -> NumberKind:
-        """Return the kind of products with numbers of another kind.
+    @cached_property
+    def _telling(self) -> list[tuple[Any, str]]:
+        """A likelihood that shows the kind of all, with its place; none if 0 and 1 are all."""
+        if not self.exact:
+            return [(self.likelihood[0][0], "likelihood of the sensor")]
+        shares = [p for row in self.likelihood for p in row if p not in (0, 1)]
+        return [(shares[0], "likelihood of the sensor")] if shares else []
+
+    def check_kind(self, other: NumberKind) -> None:
+        """Refuse a problem whose numbers are of the other kind.
 
         Raises
         ------
         MixedNumbersError
-            For floats with exact numbers that are not all whole.
+            For floats beside exact numbers that are not whole.
         """
-        if self.exact == other.exact:
-            return other
-        if self.exact and self.blocks is not None:
-            return NumberKind.FLOAT
-        if other is NumberKind.RATIONAL:  # whole numbers at most, or `read_number` refuses them
-            return NumberKind.FLOAT
-        sensor, mixed = ("exact", "floats") if self.exact else ("a float sensor", "exact")
+        if self.exact == other.exact or (self.exact and self.blocks is not None):
+            return
+        mine, theirs = ("exact", "floats") if self.exact else ("floats", "exact")
         raise MixedNumbersError(
-            f"the sensor is {sensor} and the hyperstate is {mixed}; "
-            "accepted: one kind, or sensor.to_float()"
+            f"the sensor's numbers are {mine} and the problem's {theirs}; accepted: one kind, or "
+            "to_float() of either"
         )
 
     # --- new sensors from old --------------------------------------------------------------------
