@@ -13,6 +13,7 @@ from math import gcd
 from gmpy2 import mpq
 from hypothesis import strategies as st
 
+from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.errors import InvalidPartError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
@@ -469,6 +470,33 @@ action_prices = st.sampled_from([0, 0, Fraction(1, 8), Fraction(1, 2), 1, 2])
 
 state_costs = st.sampled_from([0, 0, 1, 1, 2, Fraction(-1, 2), Fraction(7, 3), math.inf])
 """Costs of states: equal, negative and infinite ones among them."""
+
+
+@st.composite
+def plan_cases(draw: st.DrawFn, kind: str) -> tuple[tuple, str, list, object]:
+    """Tables, a kind of cost, the prices of the actions, and what else the cost needs.
+
+    That is a cost for each state, or of an iterative cost a goal (None: any) and the price of the
+    test.
+    """
+    tables = draw(problem_tables())
+    n, m = len(tables[0]), len(tables[1])
+    prices = draw(st.lists(action_prices, min_size=m, max_size=m))
+    if kind == "iterative":
+        goal = draw(st.none() | st.sets(st.integers(0, n - 1), min_size=1))
+        return tables, kind, prices, (goal, draw(st.sampled_from([0, 1, Fraction(3, 2)])))
+    return tables, kind, prices, draw(st.lists(state_costs, min_size=n, max_size=n))
+
+
+@st.composite
+def decision_problems(draw: st.DrawFn) -> tuple[DecisionProblem, list[Fraction]]:
+    """Decision problems of up to 3 states, readings and actions, with a prior; losses often tie."""
+    n, r, m = (draw(st.integers(1, 3)) for _ in range(3))
+    likelihood = [draw(distributions(r)) for _ in range(n)]
+    losses = st.lists(st.integers(-2, 3), min_size=m, max_size=m)
+    loss = [draw(losses) for _ in range(n)]
+    problem = DecisionProblem(range(n), range(r), range(m), likelihood, loss)
+    return problem, draw(distributions(n))
 
 
 # --- sensors -------------------------------------------------------------------------------------

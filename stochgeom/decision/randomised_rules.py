@@ -6,16 +6,18 @@ largest risks is the value of a matrix game, whose other side is nature's least 
     max over priors of min over rules of r(pi, delta) = min over mixtures of max over states of R
 
 Linear programming finds both sides in floats (scipy, the extra `numeric`). Floats decide nothing
-here: they only say which rules are mixed and which states the prior gives weight to; the two
-systems of equations for these are solved exactly, and if the mixture's largest risk equals the
-least Bayes risk under the prior, both are optimal, which is the proof. If that fails, the two
-numbers, computed exactly for rounded mixtures, enclose the value.
+here: they only propose. They say which rules are mixed and which states the prior gives weight to,
+and the equations for these are solved exactly; and they are rounded to fractions. Of all mixtures
+and priors proposed the best are taken, judged in exact numbers. If the mixture's largest risk
+equals the least Bayes risk under the prior, both are optimal, which is the proof; otherwise the two
+numbers enclose the value.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Final, final
 
 import flint
@@ -23,13 +25,15 @@ from gmpy2 import mpq
 
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.errors import MissingExtraError
-from stochgeom.exact.scalars import from_float_exact
 
 if TYPE_CHECKING:
     from stochgeom.decision.decision_rules import DecisionProblem, Rule
 
 _SUPPORT: Final = 1e-9
 """Probabilities below it are taken for none when the equations are set up."""
+
+_SCALES: Final = (10, 1000, 10**6, 10**15)
+"""Largest denominators of the rounded probabilities that are tried as well."""
 
 
 @final
@@ -83,11 +87,12 @@ def randomised_minimax(problem: DecisionProblem) -> RandomisedRule:
     rules, risks = list(by_risk.values()), list(by_risk)
     weights, prior = _float_solution(risks)
     if problem.numbers is NumberKind.FLOAT:
-        return _enclosure(rules, risks, weights, prior)
-    exact = _exact_solution(rules, risks, weights, prior)
-    if exact is not None and exact.proven:
-        return exact
-    return _enclosure(rules, risks, _rounded(weights), _rounded(prior))
+        return _game(rules, risks, [weights], [prior])
+    mixtures, priors = _solved(risks, weights, prior)
+    for scale in _SCALES:
+        mixtures.append(_rounded(weights, scale))
+        priors.append(_rounded(prior, scale))
+    return _game(rules, risks, mixtures, priors)
 
 
 def _float_solution(risks: Sequence[Sequence[Any]]) -> tuple[list[float], list[float]]:
@@ -112,27 +117,30 @@ def _float_solution(risks: Sequence[Sequence[Any]]) -> tuple[list[float], list[f
     return list(found.x[:-1]), [-float(value) for value in found.ineqlin.marginals]
 
 
-def _exact_solution(
-    rules: list[Rule], risks: list[Any], weights: list[float], prior: list[float]
-) -> RandomisedRule | None:
-    """Solve for the mixture and the prior on the supports that the floats show."""
+def _solved(
+    risks: list[Any], weights: list[float], prior: list[float]
+) -> tuple[list[list[mpq]], list[list[mpq]]]:
+    """Return the mixture and the prior that the supports of the floats determine, if they do."""
     mixed = [k for k, weight in enumerate(weights) if weight > _SUPPORT]
     states = [s for s, share in enumerate(prior) if share > _SUPPORT]
     if len(mixed) != len(states):
-        return None
+        return [], []
     table = [[risks[k][s] for k in mixed] for s in states]
-    mixture = _equalised(table)
-    shares = _equalised([list(column) for column in zip(*table, strict=True)])
-    if mixture is None or shares is None:
-        return None
-    full_mixture, full_prior = [mpq(0)] * len(rules), [mpq(0)] * len(prior)
-    for k, value in zip(mixed, mixture, strict=True):
-        full_mixture[k] = value
-    for s, value in zip(states, shares, strict=True):
-        full_prior[s] = value
-    if min(full_mixture) < 0 or min(full_prior) < 0:
-        return None
-    return _enclosure(rules, risks, full_mixture, full_prior)
+    columns = [list(column) for column in zip(*table, strict=True)]
+    return (
+        _spread(_equalised(table), mixed, len(weights)),
+        _spread(_equalised(columns), states, len(prior)),
+    )
+
+
+def _spread(values: list[mpq] | None, places: list[int], size: int) -> list[list[mpq]]:
+    """Return probabilities at some places as a list of one vector; none if they are none."""
+    if values is None or min(values) < 0:
+        return []
+    full = [mpq(0)] * size
+    for place, value in zip(places, values, strict=True):
+        full[place] = value
+    return [full]
 
 
 def _equalised(table: list[list[mpq]]) -> list[mpq] | None:
@@ -152,18 +160,26 @@ def _fractions(row: list[mpq]) -> list[Any]:
     return [flint.fmpq(int(value.numerator), int(value.denominator)) for value in row]
 
 
-def _rounded(weights: list[float]) -> list[mpq]:
-    """Return exact probabilities near floats."""
-    exact = [from_float_exact(max(weight, 0.0)) for weight in weights]
+def _rounded(weights: list[float], scale: int) -> list[mpq]:
+    """Return exact probabilities near floats, with small denominators if the scale is small."""
+    exact = [mpq(Fraction(max(weight, 0.0)).limit_denominator(scale)) for weight in weights]
     total = sum(exact)
-    return [value / total for value in exact]
+    return [value / total for value in exact] if total else [mpq(1, len(exact))] * len(exact)
 
 
-def _enclosure(
-    rules: list[Rule], risks: list[Any], weights: list[Any], prior: list[Any]
+def _game(
+    rules: list[Rule], risks: list[Any], mixtures: list[list[Any]], priors: list[list[Any]]
 ) -> RandomisedRule:
-    low = min(sum(p * r for p, r in zip(prior, risk, strict=True)) for risk in risks)
-    states = range(len(prior))
-    high = max(sum(w * risk[s] for w, risk in zip(weights, risks, strict=True)) for s in states)
+    """Return the best of some mixtures and the best of some priors: either is judged by itself."""
+
+    def largest_risk(weights: list[Any]) -> Any:
+        columns = zip(*risks, strict=True)
+        return max(sum(w * r for w, r in zip(weights, column, strict=True)) for column in columns)
+
+    def least_bayes_risk(prior: list[Any]) -> Any:
+        return min(sum(p * r for p, r in zip(prior, risk, strict=True)) for risk in risks)
+
+    weights = min(mixtures, key=largest_risk)
+    prior = max(priors, key=least_bayes_risk)
     mixture = {rule: weight for rule, weight in zip(rules, weights, strict=True) if weight}
-    return RandomisedRule(mixture, tuple(prior), low, high)
+    return RandomisedRule(mixture, tuple(prior), least_bayes_risk(prior), largest_risk(weights))

@@ -20,7 +20,7 @@ from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.random_search import random_plan
 from stochgeom.decision.worst_case_costs import MinimaxCost
 from stochgeom.exact.angles import Angle
-from tests.strategies import action_prices, problem_tables, state_costs
+from tests.strategies import plan_cases, problem_tables
 
 FEW = settings(max_examples=60)
 
@@ -72,30 +72,25 @@ def iterative(prices, goal, test):
     return cost
 
 
-@st.composite
-def searches(draw, kind):
-    """A problem with a cost: tables, the library's cost, the oracle's cost."""
-    tables = draw(problem_tables())
-    n, m = len(tables[0]), len(tables[1])
-    prices = draw(st.lists(action_prices, min_size=m, max_size=m))
-    named = {str(a): price for a, price in enumerate(prices)}
+def search_of(case):
+    """Return the tables, the library's cost and the oracle's cost of a drawn case."""
+    tables, kind, prices, details = case
+    named = {str(action): price for action, price in enumerate(prices)}
     if kind == "iterative":
-        goal = draw(st.none() | st.sets(st.integers(0, n - 1), min_size=1))
-        test = draw(st.sampled_from([0, 1, Fraction(3, 2)]))
+        goal, test = details
         labels = None if goal is None else [str(i) for i in goal]
         return tables, IterativeCost(labels, named, test), iterative(prices, goal, test)
-    costs = draw(st.lists(state_costs, min_size=n, max_size=n))
-    states = {str(i): c for i, c in enumerate(costs)}
+    states = {str(i): cost for i, cost in enumerate(details)}
     if kind == "minimax":
-        return tables, MinimaxCost(named, states), minimax(prices, costs)
-    return tables, AdditiveCost(named, states), additive(prices, costs)
+        return tables, MinimaxCost(named, states), minimax(prices, details)
+    return tables, AdditiveCost(named, states), additive(prices, details)
 
 
 @pytest.mark.parametrize("kind", ["additive", "minimax", "iterative"])
 @FEW
 @given(data=st.data())
 def test_every_method_finds_the_best_plans(kind, data):
-    tables, cost, plain = data.draw(searches(kind))
+    tables, cost, plain = search_of(data.draw(plan_cases(kind)))
     shortest = data.draw(st.integers(0, 1))
     problem = PlanningProblem.from_matrices(*tables)
     best, plans = brute_force(tables, 3, shortest, plain)
@@ -116,7 +111,7 @@ def test_every_method_finds_the_best_plans(kind, data):
 @FEW
 @given(data=st.data())
 def test_no_plan_undercuts_a_bound(kind, data):
-    tables, cost, plain = data.draw(searches(kind))
+    tables, cost, plain = search_of(data.draw(plan_cases(kind)))
     problem = PlanningProblem.from_matrices(*tables)
     model = cost.on(problem)
     beginning = data.draw(st.lists(st.sampled_from(problem.actions), max_size=2))
@@ -135,9 +130,9 @@ def test_no_plan_undercuts_a_bound(kind, data):
 
 
 @FEW
-@given(searches("additive"), st.integers(1, 60))
-def test_a_search_cut_short_says_so_and_its_bound_holds(search, limit):
-    tables, cost, plain = search
+@given(plan_cases("additive"), st.integers(1, 60))
+def test_a_search_cut_short_says_so_and_its_bound_holds(case, limit):
+    tables, cost, plain = search_of(case)
     problem = PlanningProblem.from_matrices(*tables)
     best, _ = brute_force(tables, 3, 1, plain)
     for method in ("best-first", "breadth-first"):
@@ -188,9 +183,9 @@ def test_spread_costs(tables, by_entropy):
 
 
 @FEW
-@given(searches("iterative"))
-def test_without_a_horizon_where_prices_are_positive(search):
-    tables, cost, _ = search
+@given(plan_cases("iterative"))
+def test_without_a_horizon_where_prices_are_positive(case):
+    tables, cost, _ = search_of(case)
     prices = {label: price + Fraction(1, 4) for label, price in cost.actions.items()}
     problem = PlanningProblem.from_matrices(*tables)
     cost = IterativeCost(cost.goal, prices, cost.test)
@@ -209,7 +204,7 @@ def test_without_a_horizon_where_prices_are_positive(search):
 @FEW
 @given(data=st.data())
 def test_float_problems_agree_with_exact_ones(kind, data):
-    tables, cost, plain = data.draw(searches(kind))
+    tables, cost, plain = search_of(data.draw(plan_cases(kind)))
     exact = PlanningProblem.from_matrices(*tables)
     rounded = exact.to_float()
     floats = as_floats(cost)
@@ -231,9 +226,9 @@ def floats_of(table):
 
 
 @FEW
-@given(searches("additive"), st.integers(0, 5))
-def test_random_plans_are_plans(search, seed):
-    tables, cost, plain = search
+@given(plan_cases("additive"), st.integers(0, 5))
+def test_random_plans_are_plans(case, seed):
+    tables, cost, plain = search_of(case)
     problem = PlanningProblem.from_matrices(*tables)
     best, _ = brute_force(tables, 3, 1, plain)
     found = random_plan(problem, 3, cost, seed=seed, tries=20)
