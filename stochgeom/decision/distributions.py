@@ -75,7 +75,11 @@ def listed_tables(transitions: Any, actions: Labels, states: Labels) -> list[lis
     tables = []
     for label, table in zip(actions, given, strict=True):
         place = f"action {named(label)}"
-        rows = _items(table, place)
+        rows = (
+            _rows_by_state(table, states, place)
+            if isinstance(table, Mapping)
+            else (_items(table, place))
+        )
         if len(rows) != len(states):
             raise ShapeMismatchError(
                 f"{len(rows)} rows; accepted: {len(states)}, one for each state", where=place
@@ -87,6 +91,17 @@ def listed_tables(transitions: Any, actions: Labels, states: Labels) -> list[lis
             ]
         )
     return tables
+
+
+def _rows_by_state(table: Mapping[Any, Any], states: Labels, place: str) -> list[Any]:
+    for state in table:
+        states.number(state, where=place)
+    for state in states:
+        if state not in table:
+            raise ShapeMismatchError(
+                "no row; accepted: one for each state", where=f"{place}, row {named(state)}"
+            )
+    return [table[state] for state in states]
 
 
 def _items(values: Any, place: str) -> list[Any]:

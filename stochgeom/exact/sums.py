@@ -218,6 +218,10 @@ class AngleSum:
             return NotImplemented
         return self.compare(other) < 0
 
+    def __bool__(self) -> bool:
+        """Tell whether the number is not 0, as of every kind of number."""
+        return self.sign() != 0
+
     def __hash__(self) -> int:
         return self._hash
 

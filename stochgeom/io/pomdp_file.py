@@ -1,9 +1,13 @@
 """Planning problems in the file format of A. Cassandra's POMDP solvers.
 
-The format knows rewards or costs of actions in states, for ever and discounted, and no plan that
-ends. So a problem of this package is written with one action and one state more: ``stop`` leads
-from every state to ``stopped``, at the cost of ending there, and what is done after that is free
-and changes nothing. There is one observation, which tells nothing: ``none``.
+The format knows costs of actions, not of the state that a plan ends in. So the cost C of the states
+is written as differences: an action that leads from i to j costs its price plus C(j) - C(i). The
+costs of a plan telescope: they add up to its cost here less the expected C of the prior, a constant
+that a comment tells. A plan may end early: the action ``stop`` leads from every state to
+``stopped``, where everything is free. There is one observation, which tells nothing: ``none``.
+
+That holds for a finite horizon and the discount 1; with another discount a solver compares
+something else.
 
 Numbers are decimals in that format, so they are rounded to the nearest float. Labels that are no
 words of the format (letters, digits, ``_`` and ``-``, beginning with a letter) become ``s0``,
@@ -57,6 +61,7 @@ def write_pomdp(
     >>> from stochgeom.decision.goal_costs import GoalCost
     >>> turn = PlanningProblem(["a", "b"], ["1/4", "3/4"], ["turn"], [[[0, 1], [1, 0]]])
     >>> print(write_pomdp(turn, GoalCost("a")))
+    # cost of a plan: what a solver finds, plus 0.75
     discount: 1.0
     values: cost
     states: a b stopped
@@ -77,10 +82,8 @@ def write_pomdp(
     O: * : * : none 1.0
     <BLANKLINE>
     R: * : * : * : * 0.0
-    R: turn : a : * : * 0.0
-    R: turn : b : * : * 0.0
-    R: stop : a : * : * 0.0
-    R: stop : b : * : * 1.0
+    R: turn : a : b : * 1.0
+    R: turn : b : a : * -1.0
     <BLANKLINE>
     """
     model = model_of(problem, cost)
@@ -92,6 +95,7 @@ def write_pomdp(
     states, state_notes = _words(problem.states, "s", STOPPED)
     actions, action_notes = _words(problem.actions, "a", STOP)
     lines = [
+        f"# cost of a plan: what a solver finds, plus {float(model.of_plan([]))!r}",
         *state_notes,
         *action_notes,
         f"discount: {float(factor)!r}",
@@ -107,10 +111,11 @@ def write_pomdp(
         lines += ["", f"T: {word}", *rows, _row([*end, 1])]
     lines += ["", f"T: {STOP}", *[_row([*end, 1])] * (len(states) + 1)]
     lines += ["", f"O: * : * : {NONE} 1.0", "", "R: * : * : * : * 0.0"]
-    for word, price in zip(actions, model.prices, strict=True):
-        lines += [f"R: {word} : {state} : * : * {float(price)!r}" for state in states]
-    for state, value in zip(states, model.state_costs, strict=True):
-        lines.append(f"R: {STOP} : {state} : * : * {float(value)!r}")
+    for number, (word, price) in enumerate(zip(actions, model.prices, strict=True)):
+        for i, state in enumerate(states):
+            for j, _ in problem.successors(number, i):
+                value = float(price + model.state_costs[j] - model.state_costs[i])
+                lines.append(f"R: {word} : {state} : {states[j]} : * {value!r}")
     return "\n".join(lines) + "\n"
 
 
