@@ -2,9 +2,9 @@
 
 The sign of a sum of angles is decided for every input; a comparison of two quotients is not that
 simple, for the products of angles in it are no linear form any more. It is decided exactly where
-a quotient is rational, and where the products cancel term by term; otherwise the numbers are
-different unless the angles satisfy an algebraic relation nobody knows of, and Arb tells which is
-larger.
+a quotient is rational, and where the products, written in linearly independent angles, cancel term
+by term; otherwise the numbers are different unless those angles satisfy an algebraic relation that
+nobody knows of, and Arb tells which is larger.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from stochgeom.errors import InputError, PrecisionLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import START_BITS, Ball, ball_sign, certified_float, working_precision
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.independent_angles import Independent, over_independent
 from stochgeom.exact.predicates import sign
 from stochgeom.exact.scalars import from_float_exact
 from stochgeom.exact.sums import AngleSum
@@ -26,9 +27,9 @@ if TYPE_CHECKING:
     import sympy
 
 COMPARE_BITS: Final = 1 << 14
-"""Quotients that are not told apart at this precision are refused as undecided."""
+"""Products that are not told apart at this precision are refused as undecided."""
 
-_Monomials: TypeAlias = "dict[frozenset[Angle | tuple[Angle, int]], mpq]"
+_Monomials: TypeAlias = "dict[frozenset[Angle | tuple[Angle, int] | None], mpq]"
 
 
 @final
@@ -120,20 +121,8 @@ class SumQuotient:
             return int((self.numerator - self.denominator * theirs.rational).sign())
         if self.rational is not None:
             return -int(theirs.compare(self.rational))
-        left = _product(self.numerator, theirs.denominator)
-        right = _product(theirs.numerator, self.denominator)
-        if all(left.get(key, 0) == right.get(key, 0) for key in {*left, *right}):
-            return 0
-        bits = START_BITS
-        while bits <= COMPARE_BITS:
-            with working_precision(bits):
-                found = ball_sign(self.ball() - theirs.ball())
-            if found is not None:
-                return found
-            bits *= 2
-        raise PrecisionLimitError(
-            f"two quotients near {float(self):.6g} are not told apart at {COMPARE_BITS} bits; "
-            "they may be equal"
+        return sign_of_products(
+            self.numerator, theirs.denominator, theirs.numerator, self.denominator
         )
 
     def __eq__(self, other: object) -> bool:
@@ -158,6 +147,47 @@ class SumQuotient:
 
     def __repr__(self) -> str:
         return f"SumQuotient({self.numerator!r}, {self.denominator!r})"
+
+
+def sign_of_products(a: Any, b: Any, c: Any, d: Any) -> int:
+    """Return the sign of a b - c d, for sums of angles or rational numbers.
+
+    Exact, but for products that are equal by a relation between independent angles which nobody
+    knows of.
+
+    Raises
+    ------
+    PrecisionLimitError
+        If the sign is undecided at `COMPARE_BITS`, and the products are not equal term by term.
+
+    Examples
+    --------
+    >>> width = AngleSum(0, [(1, Angle(0, (3, 2)))])
+    >>> sign_of_products(width + 1, width * 2, width * 2 + 2, width)
+    0
+    """
+    sums = [AngleSum.of(each) for each in (a, b, c, d)]
+    bits = START_BITS
+    while bits <= COMPARE_BITS:
+        with working_precision(bits):
+            first, second, third, fourth = (each.ball() for each in sums)
+            found = ball_sign(first * second - third * fourth)
+        if found is not None:
+            return found
+        if bits == 2 * START_BITS and _same_products(sums):
+            return 0
+        bits *= 2
+    raise PrecisionLimitError(
+        f"two products near {float(sums[0]) * float(sums[1]):.6g} are not told apart at "
+        f"{COMPARE_BITS} bits; they may be equal"
+    )
+
+
+def _same_products(sums: list[AngleSum]) -> bool:
+    """Tell whether a b and c d are the same polynomial in independent angles."""
+    a, b, c, d = over_independent(sums)
+    left, right = _product(a, b), _product(c, d)
+    return all(left.get(key, 0) == right.get(key, 0) for key in {*left, *right})
 
 
 def quotient(numerator: Any, denominator: Any) -> Any:
@@ -207,13 +237,12 @@ def number_decimal(value: Any, digits: int = 4) -> str:
     return str(value.decimal(digits))
 
 
-def _product(first: AngleSum, second: AngleSum) -> _Monomials:
-    """Return the product, expanded: coefficients by sets of the angles in a monomial."""
+def _product(first: Independent, second: Independent) -> _Monomials:
+    """Return the product, expanded: coefficients by the angles in a monomial."""
     result: _Monomials = {}
-    for p, a in ((first.constant, None), *first.terms):
-        for q, b in ((second.constant, None), *second.terms):
+    for a, p in ((None, first[0]), *first[1].items()):
+        for b, q in ((None, second[0]), *second[1].items()):
             # A square is told from its root, which a set would not do.
-            angles = [angle for angle in (a, b) if angle is not None]
-            key = frozenset(angles) if a != b or a is None else frozenset([(angles[0], 2)])
+            key = frozenset([(a, 2)]) if a == b and a is not None else frozenset([a, b])
             result[key] = result.get(key, mpq(0)) + p * q
     return result

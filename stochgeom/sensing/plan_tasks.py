@@ -6,17 +6,18 @@ iteration starts with any plan, takes its quotient for the price, finds the best
 and goes on from it. Each round lowers the quotient, there are finitely many plans, and where the
 quotient stays it is the least.
 
-Quotients of angle sums are in general irrational, and prices have to be rational for the values to
-stay sums of angles. So an irrational quotient is enclosed between two rational prices. The value of
-a plan is linear in the price: a plan that no other undercuts at both ends is undercut by none in
-between, so neither at its own quotient, and it is optimal, exactly. Only where two different plans
-have equal irrational quotients can the enclosure fail to decide, however narrow; such a plan is
-returned as not proven optimal, with the lower end as the bound.
+Quotients of angle sums are in general irrational, and at a rational price values stay sums of
+angles, whose order is decided fast. So an irrational quotient is enclosed between two rational
+prices. The value of a plan is linear in the price: a plan that no other undercuts at both ends is
+undercut by none in between, so neither at its own quotient, and it is optimal, exactly. Where
+another plan has the same irrational quotient (twice the cost, twice the probability: that happens)
+no enclosure decides; then the quotient itself is the price (`stochgeom.sensing.irrational_prices`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from time import monotonic
 from typing import Any, Final, TypeAlias
 
@@ -29,6 +30,7 @@ from stochgeom.errors import InputError, NoPlanError, SensorError, ShapeMismatch
 from stochgeom.exact.decimals import Rounding, certified_decimal
 from stochgeom.exact.quotients import SumQuotient, quotient
 from stochgeom.sensing.decisions import Decisions
+from stochgeom.sensing.irrational_prices import IrrationalPrice
 from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.sensing.sensors import Sensor
@@ -37,9 +39,8 @@ from stochgeom.sensing.tree_search import STAGES, OutOfTimeError, TreeSearch
 Sensors: TypeAlias = "Sensor | Iterable[Sensor] | Mapping[Any, Sensor]"
 """One sensor, several, or several with labels."""
 
-_FIRST_DIGITS: Final = 20
-_MOST_DIGITS: Final = 160
-"""Decimals of the rational prices that enclose an irrational one: at first, and at most."""
+_PRICE_DIGITS: Final = 20
+"""Decimals of the rational prices that enclose an irrational one."""
 
 
 class PlanTask:
@@ -78,18 +79,6 @@ class PlanTask:
         kind = NumberKind.RATIONAL if self.problem.exact else NumberKind.FLOAT
         return read_number(value, kind, where)
 
-    def plan(self, tree: PlanTree, bound: Any, *, proven: bool) -> SensorPlan:
-        """Return a plan with what is known about it."""
-        largest = max(abs(gain) for row in self.decisions.gains for gain in row)
-        return SensorPlan(
-            tree,
-            self.round_cost,
-            proven,
-            bound,
-            max((sensor.row_error for sensor in self.sensors.values()), default=mpq(0)),
-            1 if self.decisions.accepts else largest,
-        )
-
     def run(self, time_limit: float | None, progress: Callable[[float], None] | None) -> SensorPlan:
         """Return the best plan, or the best one that time allows.
 
@@ -105,33 +94,41 @@ class PlanTask:
             node_limit=self.node_limit,
         )
         search.report = progress
-        moves = len(self.stages)
-        floor = self._floor(search)
-        best: PlanTree | None = None
+        moves, best = len(self.stages), None
         if time_limit is not None:
             search.deadline = monotonic() + time_limit
+        complete = self.good_enough is None
         for depth in range(moves + 1) if time_limit is not None else [moves]:
             try:
-                best, bound, proven = self._solve(search, depth)
+                best = self._solve(search, depth)
             except OutOfTimeError:
+                complete = False
                 break
             except NoPlanError:
                 if depth == moves:
                     raise
-        else:
-            assert best is not None
-            certain = proven and self.good_enough is None
-            return self.plan(best, floor if self.good_enough is not None else bound, proven=certain)
         if best is None:
             raise NoPlanError(f"no plan was found in {time_limit} seconds; accepted: more of them")
-        return self.plan(best, floor, proven=False)
+        return self._plan(best, None if complete else self._floor(search))
 
-    def _solve(self, search: TreeSearch, moves: int) -> tuple[PlanTree, Any, bool]:
-        """Return the best tree, a bound on the cost of all, and whether it is proven."""
+    def _solve(self, search: TreeSearch, moves: int) -> PlanTree:
+        """Return the best tree of so many moves."""
         if self.round_cost is not None:
             return until_success(search, moves, self.round_cost)
-        value, tree = search.solve(1, moves)
-        return tree, value, True
+        return search.solve(1, moves)[1]
+
+    def _plan(self, tree: PlanTree, floor: Any) -> SensorPlan:
+        """Return a plan with what is known about it: proven to be the best if no floor is given."""
+        largest = max(abs(gain) for row in self.decisions.gains for gain in row)
+        plan = SensorPlan(
+            tree,
+            self.round_cost,
+            floor is None,
+            floor,
+            max((sensor.row_error for sensor in self.sensors.values()), default=mpq(0)),
+            1 if self.decisions.accepts else largest,
+        )
+        return replace(plan, lower_bound=plan.expected_cost) if floor is None else plan
 
     def _floor(self, search: TreeSearch) -> Any:
         """Return what no plan costs less than: the costs when states are seen."""
@@ -140,11 +137,11 @@ class PlanTask:
         weights, best = search.root.weights, self.decisions.best_gains
         gains = [w * g for w, g in zip(weights, best, strict=True)]
         most = sum(gains[1:], start=gains[0])
-        return quotient(self.round_cost, most) if most else self.round_cost
+        return self.round_cost if most == 0 else quotient(self.round_cost, most)
 
 
-def until_success(search: TreeSearch, moves: int, round_cost: Any) -> tuple[PlanTree, Any, bool]:
-    """Return the tree of least cost per success, a bound, and whether it is proven.
+def until_success(search: TreeSearch, moves: int, round_cost: Any) -> PlanTree:
+    """Return the tree of least cost per success.
 
     Raises
     ------
@@ -152,24 +149,32 @@ def until_success(search: TreeSearch, moves: int, round_cost: Any) -> tuple[Plan
         If no tree ever succeeds.
     """
     best = _some_success(search, moves)
-    digits = _FIRST_DIGITS
-    while True:
-        ratio = quotient(round_cost + best.cost, best.gain)
-        prices = _enclosure(ratio, digits)
-        # Invariant: no tree was found whose quotient is less than that of `best`.
-        decided = True
-        for price in reversed(prices):
-            value, tree = search.solve(price, moves)
-            if tree.gain > 0 and quotient(round_cost + tree.cost, tree.gain) < ratio:
-                best = tree
-                break
-            decided &= not value < best.cost - best.gain * price
-        else:
-            if decided or isinstance(ratio, float):
-                return best, ratio, True
-            digits *= 2
-            if digits > _MOST_DIGITS:
-                return best, prices[0], False
+    while (better := _better(search, moves, round_cost, best)) is not None:
+        best = better
+    return best
+
+
+def _better(search: TreeSearch, moves: int, round_cost: Any, best: PlanTree) -> PlanTree | None:
+    """Return a tree of less cost per success, None if there is none: proven."""
+    ratio = quotient(round_cost + best.cost, best.gain)
+
+    def below(tree: PlanTree) -> bool:
+        return tree.gain > 0 and bool(quotient(round_cost + tree.cost, tree.gain) < ratio)
+
+    if not isinstance(ratio, SumQuotient):
+        _, tree = search.solve(ratio, moves)
+        return tree if below(tree) else None
+    undercut = False
+    for rounding in (Rounding.UP, Rounding.DOWN):
+        price = mpq(certified_decimal(ratio.ball, _PRICE_DIGITS, rounding))
+        value, tree = search.solve(price, moves)
+        if below(tree):
+            return tree
+        undercut |= bool(value < best.cost - best.gain * price)
+    if undercut:  # by a tree of the same quotient, or by one that is better by a hair
+        _, tree = search.solve(IrrationalPrice(ratio), moves)
+        return tree if below(tree) else None
+    return None
 
 
 def _some_success(search: TreeSearch, moves: int) -> PlanTree:
@@ -180,16 +185,6 @@ def _some_success(search: TreeSearch, moves: int) -> PlanTree:
         if not tree.gain > 0:
             raise NoPlanError(f"no plan of {moves} moves ever succeeds")
     return tree
-
-
-def _enclosure(ratio: Any, digits: int) -> tuple[Any, ...]:
-    """Return the ratio, or two rational numbers around it."""
-    if not isinstance(ratio, SumQuotient):
-        return (ratio,)
-    return tuple(
-        mpq(certified_decimal(ratio.ball, digits, rounding))
-        for rounding in (Rounding.DOWN, Rounding.UP)
-    )
 
 
 # --- what is given -------------------------------------------------------------------------------
