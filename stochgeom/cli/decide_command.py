@@ -81,7 +81,8 @@ def run(arguments: argparse.Namespace) -> int:
     problem = load_problem(arguments.file)
     if problem.cost is None:
         raise FormatError(
-            f'missing; accepted: "cost": {{"kind": KIND, ...}}, see {_HELP}', where="key cost"
+            f'missing; accepted: "cost": {{"kind": KIND, ...}}, see {_HELP}',
+            where=f"{arguments.file}, key cost",
         )
     if arguments.pomdp is not None:
         write_whole(arguments.pomdp, write_pomdp(problem))

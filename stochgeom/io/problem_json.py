@@ -99,7 +99,7 @@ def problem_from_json(document: Any) -> PlanningProblem:
         raise FormatError(f"{kind_of(name)}; accepted: text", where="name")
     reader = _Reader(is_float=numbers == "float")
     cost = document.get("cost")
-    return PlanningProblem(
+    problem = PlanningProblem(
         _labels(document["states"], "states"),
         reader.row(document["prior"], "prior"),
         _labels(document["actions"], "actions"),
@@ -107,6 +107,9 @@ def problem_from_json(document: Any) -> PlanningProblem:
         None if cost is None else cost_from_json(cost, reader.number),
         name=name,
     )
+    if problem.cost is not None:
+        problem.cost.on(problem)  # names in it that the problem does not have are found here
+    return problem
 
 
 class _Reader:
