@@ -15,8 +15,11 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from stochgeom.decision.costs_to_go import CostsToGo, mean
+from stochgeom.decision.costs_to_go import CostsToGo, Values, enclosed_mean, mean
+from stochgeom.decision.infinity import is_infinite
+from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices, read_state_costs
+from stochgeom.decision.probabilities import Enclosed
 from stochgeom.errors import CostError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.sums import AngleSum
@@ -36,7 +39,7 @@ class AdditiveCost(PlanCost):
         What an action costs.
     states : number, or mapping from states to numbers, default 0
         What it costs to end in a state: any sign, `math.inf` or ``"infinite"`` among them. States
-        left out of a mapping cost 0. If the prior is rational, angle sums as well.
+        left out of a mapping cost 0. Sums of angles are accepted as well.
 
     Examples
     --------
@@ -80,21 +83,36 @@ class AdditiveModel(CostModel):
         super().__init__(problem, actions)
         self.state_costs = state_costs
         self._floor = min(state_costs)
+        # A probability and a cost that are both sums of angles have no exact product.
+        irrational = any(isinstance(cost, AngleSum) for cost in state_costs)
+        self._enclosed = irrational and problem.numbers is NumberKind.ANGLE_SUMS
         self._to_go = CostsToGo(problem, self.prices, state_costs)
 
     def value(self, spent: Any, hyperstate: Vector) -> Any:
         """Return spent + sum lambda_i C(i)."""
-        return spent + mean(hyperstate, self.state_costs)
+        return self._mean(hyperstate, self.state_costs) + self._number(spent)
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return spent + sum lambda_i V_left(i)."""
         if left is None:
             return self.floor(spent)
-        return spent + mean(hyperstate, self._to_go(left))
+        return self._mean(hyperstate, self._to_go(left)) + self._number(spent)
 
     def floor(self, spent: Any) -> Any:
         """Return spent + the least C(i)."""
-        return spent + self._floor
+        return self._number(spent + self._floor)
+
+    def as_cost(self, value: Any) -> Any:
+        """Return a number in the form of this model's costs."""
+        return self._number(super().as_cost(value))
+
+    def _number(self, value: Any) -> Any:
+        if not self._enclosed or is_infinite(value):
+            return value
+        return Enclosed([], AngleSum.of(value))
+
+    def _mean(self, hyperstate: Any, costs: Values) -> Any:
+        return enclosed_mean(hyperstate, costs) if self._enclosed else mean(hyperstate, costs)
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]
@@ -130,8 +148,8 @@ def distance_cost(
     Notes
     -----
     A distance is rational where both orientations are multiples of an eighth of a turn, or 71
-    degrees and 11; otherwise it is an angle sum, which a rational prior can weigh and a prior of
-    angle sums cannot.
+    degrees and 11; otherwise it is an angle sum. A rational prior makes an angle sum of these; a
+    prior of angle sums makes an enclosed number, certified but not exact.
 
     Examples
     --------

@@ -22,27 +22,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Final, TypeAlias, final
+from typing import TYPE_CHECKING, Any, Final, final
 
-import flint
 import numpy as np
-from gmpy2 import is_square, isqrt, mpq
+from gmpy2 import is_square, isqrt, mpq, mpz
 from numpy.typing import NDArray
 
+from stochgeom.decision.angle_products import Cosine, product
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
-from stochgeom.decision.probabilities import Atom, Enclosed
+from stochgeom.decision.probabilities import Enclosed
 from stochgeom.errors import CostError
 from stochgeom.exact.angles import FULL_TURN, Angle
-from stochgeom.exact.balls import Ball
 from stochgeom.exact.independent_sums import RootSum
 from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
     from stochgeom.decision.planning_problem import PlanningProblem, Vector
-
-_Monomial: TypeAlias = "tuple[tuple[Angle, ...], Angle]"
-"""A product of angles, in turns, and of the cosine of one more angle."""
 
 
 @final
@@ -207,43 +203,15 @@ _OF_TWELFTHS: Final = {
 
 def _enclosed(possible: list[tuple[Angle, Any]]) -> Enclosed:
     """Write V over products of the angles in the probabilities and of cosines."""
-    constant = AngleSum()
-    gathered: dict[_Monomial, mpq] = {}
+    total = Enclosed([])
     for (theta, p), (phi, q) in combinations(possible, 2):
         apart = (theta - phi) % FULL_TURN
         apart = min(apart, FULL_TURN - apart)
-        coefficient, radicand = _cosine(apart) or (mpq(0), 2)
-        for factor, angles in _product(AngleSum.of(p), AngleSum.of(q)):
-            # What is linear in angles is an angle sum: its ties with decimals are recognised.
-            is_rational = radicand == 1 or is_square(radicand)
-            known = 1 - coefficient * isqrt(radicand) if is_rational else mpq(1)
-            if not is_rational:
-                key = (angles, apart)
-                gathered[key] = gathered.get(key, mpq(0)) - 2 * factor
-            if len(angles) < 2:
-                constant += (
-                    AngleSum(2 * factor * known)
-                    if not angles
-                    else AngleSum(0, [(2 * factor * known, angles[0])])
-                )
-            else:
-                key = (angles, Angle())
-                gathered[key] = gathered.get(key, mpq(0)) + 2 * factor * known
-    atoms = [(factor, Atom(key, _monomial(*key))) for key, factor in gathered.items()]
-    return Enclosed(atoms, constant)
-
-
-def _product(first: AngleSum, second: AngleSum) -> Iterable[tuple[mpq, tuple[Angle, ...]]]:
-    for p, a in ((first.constant, ()), *((p, (a,)) for p, a in first.terms)):
-        for q, b in ((second.constant, ()), *((q, (b,)) for q, b in second.terms)):
-            yield p * q, tuple(sorted((*a, *b)))
-
-
-def _monomial(angles: tuple[Angle, ...], cosine: Angle) -> Any:
-    def enclose() -> Ball:
-        total = (2 * flint.arb.pi() * cosine.ball()).cos()
-        for angle in angles:
-            total *= angle.ball()
-        return total
-
-    return enclose
+        coefficient, radicand = _cosine(apart) or (mpq(0), mpz(2))
+        weight = product(p, q).scaled(2)
+        if is_square(radicand):
+            total += weight.scaled(1 - coefficient * isqrt(radicand))
+        else:
+            total += weight
+            total += product(p, q, Cosine(apart)).scaled(-2)
+    return total

@@ -19,7 +19,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias, final
 
 import numpy as np
 
+from stochgeom.decision.angle_products import product
 from stochgeom.decision.infinity import INFINITE
+from stochgeom.decision.probabilities import Enclosed
 
 if TYPE_CHECKING:
     from stochgeom.decision.planning_problem import PlanningProblem
@@ -116,6 +118,17 @@ def mean(hyperstate: Any, costs: Values) -> Any:
                 return INFINITE
             if cost:
                 total += share * cost
+    return total
+
+
+def enclosed_mean(hyperstate: Sequence[Any], costs: Values) -> Any:
+    """Return sum lambda_i C_i of angle sums by angle sums, as `Enclosed`; see `mean`."""
+    total = Enclosed([])
+    for share, cost in zip(hyperstate, costs, strict=True):
+        if share:
+            if cost is INFINITE:
+                return INFINITE
+            total += product(share, cost)
     return total
 
 

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from stochgeom.decision.infinity import INFINITE, is_infinite
 from stochgeom.decision.number_kinds import NumberKind, common_kind, read_number
 from stochgeom.errors import CostError, StochgeomError
+from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
     from stochgeom.decision.planning_problem import PlanningProblem, Vector
@@ -192,9 +193,9 @@ def read_prices(problem: PlanningProblem, actions: Prices) -> tuple[Any, ...]:
     """
     prices = _read_each(problem, actions, problem.actions, problem.action_number, "action")
     for label, price in zip(problem.actions, prices, strict=True):
-        if price is INFINITE or not 0 <= price < math.inf:
+        if is_infinite(price) or isinstance(price, AngleSum) or price < 0:
             raise CostError(
-                f"the cost is {price}; accepted: a number of 0 or more",
+                f"the cost is {price}; accepted: a rational number or a float, 0 or more",
                 where=f"cost of action {label!r:.40}",
             )
     return prices
@@ -237,14 +238,19 @@ def _read_cost(problem: PlanningProblem, value: Any, where: str) -> Any:
     kind = NumberKind.FLOAT if problem.numbers is NumberKind.FLOAT else NumberKind.RATIONAL
     try:
         found = common_kind([(value, where)])
-        if found is NumberKind.ANGLE_SUMS and problem.numbers is NumberKind.RATIONAL:
+        if found is NumberKind.ANGLE_SUMS and problem.exact:
             kind = found
-        return read_number(value, kind, where)
+        number = read_number(value, kind, where)
     except StochgeomError as error:
         raise CostError(
             f"{error.message}; the numbers of the problem are {problem.numbers.value}",
             where=error.where,
         ) from error
+    return number.rational if _is_rational_sum(number) else number
+
+
+def _is_rational_sum(number: Any) -> bool:
+    return isinstance(number, AngleSum) and number.rational is not None
 
 
 def _is_float_infinity(value: Any) -> bool:

@@ -13,6 +13,7 @@ from stochgeom.decision.entropy import EntropyCost, entropy, information
 from stochgeom.decision.goal_costs import GoalCost, GuaranteedCost
 from stochgeom.decision.infinity import INFINITE
 from stochgeom.decision.iterative_costs import IterativeCost
+from stochgeom.decision.plan_search import find_plan
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.rounds import Rounds
 from stochgeom.decision.worst_case_costs import MinimaxCost
@@ -20,6 +21,8 @@ from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.independent_sums import LogSum, RootSum
 from stochgeom.exact.sums import AngleSum
+from stochgeom.feeding.planning_problems import planning_problem_of
+from stochgeom.thesis.parts import catalogue_part
 
 # Three bins; "push" moves a part one bin on, and fails one time in four.
 PUSH = [["1/4", "3/4", 0], [0, "1/4", "3/4"], [0, 0, 1]]
@@ -121,6 +124,28 @@ def test_distance():
     model = cost.on(BINS)
     assert model.of_plan(["wait"]).rational == (10 + 170) / mpq(2)
     assert model.value(0, BINS.vector({"c": 1})).decimal(4) == "23.6901"
+
+
+def test_distance_with_irrational_probabilities():
+    # The house ends in one of two orientations, 90 degrees apart, up to symmetry; its distance to
+    # the first is 90 degrees with the probability of the second.
+    found = planning_problem_of(catalogue_part("house"))
+    cost = distance_cost(found.orientations, Angle())
+    model = cost.on(found.problem)
+    p = found.problem.prior
+    assert model.of_plan([]).compare(180 * p[2] + 90 * (p[1] + p[3])) == 0
+    key = planning_problem_of(catalogue_part("key"))
+    model = distance_cost(key.orientations, key.orientations[key.problem.states[0]]).on(key.problem)
+    plain = sum(
+        float(p) * float(c) for p, c in zip(key.problem.prior, model.state_costs, strict=True)
+    )
+    assert abs(float(model.of_plan([])) - plain) < 1e-10
+    costs = dict(zip(key.problem.states, model.state_costs, strict=True))
+    best = find_plan(key.problem, 2, AdditiveCost(0, costs))
+    assert best.proven
+    # The two halves of the circle are alike, so that every plan is 90 degrees off, exactly.
+    assert best.cost.compare(90) == 0
+    assert len(best.plan) == 1
 
 
 def test_depth_bounds():
