@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from stochgeom.decision.additive_costs import AdditiveCost
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.exact.angles import Angle
+from stochgeom.exact.quotients import quotient
 from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.decisions import Decisions, accept_groups, lose_by_table
 from stochgeom.sensing.one_step import one_step_plan
@@ -169,14 +170,37 @@ class TestIterative:
         )
         plan = iterative_sensor_plan(problem, [], 1, accepted=["a"])
         assert plan.expected_cost.decimal(4) == "10.6856"
-        assert plan.expected_cost == quotient_of(1, p)
+        assert plan.expected_cost == quotient(1, p)
         assert plan.proven
 
+    def test_a_plan_that_is_better_by_a_hair_is_found(self):
+        """Between two plans of one irrational quotient, less than a price of 20 decimals sees."""
+        p, hair = AngleSum(0, [(1, Angle(0, (3, 2)))]), mpq(1, 10**30)
+        states = ["a", "b", "c", "d", "hair", "rest"]
+        stay = [[int(j == k) for j in range(6)] for k in range(6)]
+        four = [stay[0]] * 4 + stay[4:]
+        two = [stay[0], stay[0], *stay[2:4], stay[0], stay[5]]
+        problem = PlanningProblem(
+            states, [p, p, p, p, hair, 1 - hair - p * 4], ["four", "two"], [four, two]
+        )
+        plan = iterative_sensor_plan(
+            problem, [], 1, action_costs={"four": 3, "two": 1}, accepted=["a"]
+        )
+        assert plan.expected_cost == quotient(2, p * 2 + hair)
+        assert plan.expected_cost < quotient(1, p)
 
-def quotient_of(a, b):
-    from stochgeom.exact.quotients import quotient
-
-    return quotient(a, b)
+    def test_one_price_is_not_enough(self):
+        """Ending costs 10; at that price 5 / .9 looks best, and at its price 2 / .5 is better."""
+        problem = PlanningProblem(
+            ["a", "b"],
+            ["0.1", "0.9"],
+            ["dear", "cheap"],
+            [[["0.9", "0.1"]] * 2, [["0.5", "0.5"]] * 2],
+        )
+        plan = iterative_sensor_plan(
+            problem, [], 1, action_costs={"dear": 4, "cheap": 1}, accepted=["a"]
+        )
+        assert plan.expected_cost == 4
 
 
 class TestOnce:
@@ -187,6 +211,24 @@ class TestOnce:
         assert plan.expected_cost == mpq(1, 100) + mpq(3, 4) / 8 + mpq(1, 4) / 4
         assert plan.tree.depth == 3
         assert plan.proven
+
+    def test_a_look_in_one_branch_costs_its_share(self):
+        """Half of the parts need the second look, at 0.3 each: cheaper than a mistake in 1/4."""
+        states = ["a", "b", "c"]
+        problem = PlanningProblem(
+            states, ["1/4", "1/4", "1/2"], ["wait"], [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]]
+        )
+        coarse = Sensor.from_function(states, lambda state: state == "c")
+        fine = Sensor.from_function(states, lambda state: state == "a", cost="0.3")
+        losses = {s: {other: 1 for other in states if other != s} for s in states}
+        plan = sensor_plan(
+            problem,
+            {"coarse": coarse, "fine": fine},
+            2,
+            decisions=lose_by_table(problem, losses),
+        )
+        assert plan.expected_cost == mpq("0.15")
+        assert plan.tree.sensings == 2
 
     def test_losses_of_decisions(self):
         losses = {"left": {"w": 10}, "right": {"u": 1, "v": 1}}
