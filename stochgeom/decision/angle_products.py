@@ -64,8 +64,21 @@ def product(first: Any, second: Any, cosine: Cosine | None = None) -> Enclosed:
 
 
 def _terms(value: Any) -> list[tuple[Any, tuple[Angle, ...]]]:
+    """Return the terms of a sum over angles of at most 22.5 degrees.
+
+    Complements to 45 degrees, which symmetric parts are full of, are written by one angle.
+    """
     number = AngleSum.of(value)
-    return [(number.constant, ()), *((q, (angle,)) for q, angle in number.terms)]
+    constant = number.constant
+    gathered: dict[Angle, Any] = {}
+    for q, angle in number.terms:
+        x, y = angle.direction
+        kept, factor = angle, q
+        if y * (x + y) > x * (x - y):  # the angle is larger than its complement
+            kept, factor = Angle(0, (x + y, x - y)), -q
+            constant += q / 8
+        gathered[kept] = gathered.get(kept, 0) + factor
+    return [(constant, ()), *((q, (angle,)) for angle, q in gathered.items() if q)]
 
 
 def _monomial(angles: tuple[Angle, ...], cosine: Cosine | None) -> Callable[[], Ball]:

@@ -246,11 +246,9 @@ def _read_cost(problem: PlanningProblem, value: Any, where: str) -> Any:
             f"{error.message}; the numbers of the problem are {problem.numbers.value}",
             where=error.where,
         ) from error
-    return number.rational if _is_rational_sum(number) else number
-
-
-def _is_rational_sum(number: Any) -> bool:
-    return isinstance(number, AngleSum) and number.rational is not None
+    if isinstance(number, AngleSum) and number.rational is not None:
+        return number.rational
+    return number
 
 
 def _is_float_infinity(value: Any) -> bool:
