@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
     from stochgeom.exact.forms import sign_of_form
+    from stochgeom.exact.quotients import SumQuotient
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.sums import AngleSum
@@ -55,6 +56,27 @@ if TYPE_CHECKING:
     from stochgeom.geometry.radius import RadiusFunction, RadiusPiece
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
+    from stochgeom.sensing.calibration import (
+        CalibrationProblem,
+        calibration_problem,
+        expected_entropy,
+    )
+    from stochgeom.sensing.decisions import Decisions
+    from stochgeom.sensing.diameter_sensor import diameter_sensor
+    from stochgeom.sensing.one_step import OneStepPlan, one_step_plan
+    from stochgeom.sensing.plan_tree import PlanTree
+    from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
+    from stochgeom.sensing.recognition import RecognitionProblem
+    from stochgeom.sensing.sampling import sampled_sensor, sensor_from_counts
+    from stochgeom.sensing.sensing_problem import SensingProblem
+    from stochgeom.sensing.sensor_design import (
+        choose_bits,
+        compare_sensors,
+        fuse_sensors,
+        place_sensor,
+    )
+    from stochgeom.sensing.sensor_plan import SensorPlan
+    from stochgeom.sensing.sensors import Sensor
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
     from stochgeom.transfer.push import push_function
     from stochgeom.transfer.push_grasp import push_grasp_function
@@ -132,6 +154,27 @@ _HOMES = {
     "push_grasp_function": "transfer.push_grasp",
     "squeeze_function": "transfer.squeeze",
     "StepFunction": "transfer.step_function",
+    "SumQuotient": "exact.quotients",
+    "CalibrationProblem": "sensing.calibration",
+    "calibration_problem": "sensing.calibration",
+    "expected_entropy": "sensing.calibration",
+    "Decisions": "sensing.decisions",
+    "diameter_sensor": "sensing.diameter_sensor",
+    "OneStepPlan": "sensing.one_step",
+    "one_step_plan": "sensing.one_step",
+    "PlanTree": "sensing.plan_tree",
+    "iterative_sensor_plan": "sensing.planners",
+    "sensor_plan": "sensing.planners",
+    "RecognitionProblem": "sensing.recognition",
+    "sampled_sensor": "sensing.sampling",
+    "sensor_from_counts": "sensing.sampling",
+    "SensingProblem": "sensing.sensing_problem",
+    "choose_bits": "sensing.sensor_design",
+    "compare_sensors": "sensing.sensor_design",
+    "fuse_sensors": "sensing.sensor_design",
+    "place_sensor": "sensing.sensor_design",
+    "SensorPlan": "sensing.sensor_plan",
+    "Sensor": "sensing.sensors",
 }
 
 __all__ = [
@@ -146,9 +189,11 @@ __all__ = [
     "AngleSum",
     "AngleVector",
     "Arc",
+    "CalibrationProblem",
     "CallablePrior",
     "ClosedArc",
     "ConvexHull",
+    "Decisions",
     "DiameterFunction",
     "DiscretePrior",
     "ErrorBound",
@@ -157,37 +202,53 @@ __all__ = [
     "Hyperstate",
     "MixturePrior",
     "Observation",
+    "OneStepPlan",
     "Part",
     "PartErrorReport",
     "PiecewisePrior",
     "PlanReport",
+    "PlanTree",
     "Preimage",
     "Preimages",
     "Prior",
     "PriorEstimate",
     "RadiusFunction",
     "RadiusPiece",
+    "RecognitionProblem",
     "Rejections",
+    "SensingProblem",
+    "Sensor",
+    "SensorPlan",
     "Sinusoid",
     "StableGrasp",
     "StepFunction",
     "StochgeomError",
+    "SumQuotient",
     "TurnRatio",
     "VonMises",
     "Window",
     "WrappedNormal",
     "antipodal_pairs",
+    "calibration_problem",
     "catalogue_names",
     "catalogue_part",
     "check_claim",
+    "choose_bits",
+    "compare_sensors",
     "convex_hull",
+    "diameter_sensor",
+    "expected_entropy",
     "from_float_exact",
     "from_float_shortest",
+    "fuse_sensors",
+    "iterative_sensor_plan",
     "load_part",
     "most_stable_grasps",
+    "one_step_plan",
     "orient_up_to_symmetry",
     "parse_angles",
     "parse_outline",
+    "place_sensor",
     "plan_feeding",
     "plan_transfer",
     "plan_weighing_grasps",
@@ -196,6 +257,9 @@ __all__ = [
     "push_grasp_function",
     "rational",
     "read_outline",
+    "sampled_sensor",
+    "sensor_from_counts",
+    "sensor_plan",
     "sign_of_form",
     "squeeze_function",
     "stability_costs",

@@ -1,7 +1,7 @@
 """Choosing sensors by what the best plans with them cost (thesis 7.2.7).
 
 Sensors are compared by the expected cost of the best plan with each: which of two, how many bits,
-which place for one. Two sensors read in sequence are one sensor of pairs (`fuse`).
+which place for one. Two sensors read in sequence are one sensor of pairs (`fuse_sensors`).
 
 Where a sensor can be moved while a plan is carried out, each place is a sensor of its own in
 `iterative_sensor_plan` or `sensor_plan`, its cost with the move included; the plan then says where
@@ -205,7 +205,7 @@ def _ranked(found: list[RankedSensor]) -> tuple[RankedSensor, ...]:
     return tuple(sorted(found, key=cmp_to_key(compare)))
 
 
-def fuse(first: Sensor, second: Sensor, *, name: str | None = None) -> Sensor:
+def fuse_sensors(first: Sensor, second: Sensor, *, name: str | None = None) -> Sensor:
     """Return the sensor that reads one sensor and then another (sensor fusion).
 
     Given the state their readings are independent. A reading is a pair, the cost the sum of both;
@@ -222,7 +222,7 @@ def fuse(first: Sensor, second: Sensor, *, name: str | None = None) -> Sensor:
     --------
     >>> row = Sensor.from_function(range(4), lambda k: k // 2)
     >>> column = Sensor.from_function(range(4), lambda k: k % 2)
-    >>> fuse(row, column).blocks
+    >>> fuse_sensors(row, column).blocks
     {(0, 0): (0,), (0, 1): (1,), (1, 0): (2,), (1, 1): (3,)}
     """
     if first.states != second.states:

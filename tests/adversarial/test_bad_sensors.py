@@ -29,7 +29,7 @@ from stochgeom.sensing.one_step import one_step_plan
 from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
 from stochgeom.sensing.recognition import RecognitionProblem
 from stochgeom.sensing.sensing_problem import SensingProblem
-from stochgeom.sensing.sensor_design import fuse
+from stochgeom.sensing.sensor_design import fuse_sensors
 from stochgeom.sensing.sensors import Sensor
 
 RECTANGLE = [(0, 0), (3, 0), (3, 2), (0, 2)]
@@ -218,9 +218,9 @@ class TestParts:
     def test_sensors_that_cannot_be_fused(self):
         a = Sensor.perfect(["a", "b"])
         with pytest.raises(ShapeMismatchError, match="same states"):
-            fuse(a, Sensor.perfect(["a", "c"]))
+            fuse_sensors(a, Sensor.perfect(["a", "c"]))
         with pytest.raises(MixedNumbersError, match="one kind"):
-            fuse(a, a.to_float())
+            fuse_sensors(a, a.to_float())
 
     def test_parts_to_recognise(self):
         with pytest.raises(SensorError, match="one part; accepted: two or more"):

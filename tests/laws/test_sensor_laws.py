@@ -17,7 +17,7 @@ from stochgeom.sensing.one_step import one_step_plan
 from stochgeom.sensing.plan_tree import Act, Leaf
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensing_problem import SensingProblem
-from stochgeom.sensing.sensor_design import fuse
+from stochgeom.sensing.sensor_design import fuse_sensors
 from stochgeom.sensing.sensors import Sensor
 from tests.strategies import (
     PYTHAGOREAN,
@@ -93,7 +93,7 @@ def test_looking_before_accepting_never_costs_more(case):
 @given(watched(sensors=2))
 def test_two_sensors_are_no_worse_than_one(case):
     problem, first, second = case
-    both = one_step_plan(fuse(first, second), problem.prior)
+    both = one_step_plan(fuse_sensors(first, second), problem.prior)
     for sensor in (first, second):
         assert both.expected_cost <= one_step_plan(sensor, problem.prior).expected_cost
 

@@ -15,7 +15,7 @@ from stochgeom.geometry.part import Part
 from stochgeom.sensing.calibration import calibration_problem, expected_entropy
 from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
 from stochgeom.sensing.recognition import RecognitionProblem
-from stochgeom.sensing.sensor_design import choose_bits, compare_sensors, fuse, place_sensor
+from stochgeom.sensing.sensor_design import choose_bits, compare_sensors, fuse_sensors, place_sensor
 from stochgeom.sensing.sensors import Sensor
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import PYTHAGOREAN, hulls
@@ -227,7 +227,7 @@ class TestDesign:
 
     def test_fused_sensors_are_one_look(self):
         low, high = (Sensor.from_function(range(3), lambda s, k=k: s > k) for k in (0, 1))
-        plan = iterative_sensor_plan(self.THREE, fuse(low, high), 1)
+        plan = iterative_sensor_plan(self.THREE, fuse_sensors(low, high), 1)
         assert plan.expected_cost == 1
         assert iterative_sensor_plan(self.THREE, {"low": low, "high": high}, 1).expected_cost > 1
 

@@ -14,7 +14,7 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.quotients import SumQuotient
 from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.sampling import sampled_sensor, sensor_from_counts
-from stochgeom.sensing.sensor_design import fuse
+from stochgeom.sensing.sensor_design import fuse_sensors
 from stochgeom.sensing.sensors import Sensor
 
 URNS = Sensor(
@@ -108,19 +108,21 @@ class TestKinds:
 
 class TestFusion:
     def test_readings_multiply(self):
-        both = fuse(URNS, URNS)
+        both = fuse_sensors(URNS, URNS)
         assert both.readings[1] == ("red", "white")
         assert both.likelihood[1] == (mpq(1, 9), mpq(2, 9), mpq(2, 9), mpq(4, 9))
 
     def test_costs_and_errors_add(self):
         a = Sensor(["x"], [[1]], cost="1/4", row_error="1/100")
-        both = fuse(a, Sensor(["y"], [[1]], cost="1/2", row_error="1/50"))
+        both = fuse_sensors(a, Sensor(["y"], [[1]], cost="1/2", row_error="1/50"))
         assert (both.cost, both.row_error) == (mpq(3, 4), mpq(3, 100))
 
     def test_the_posterior_is_that_of_one_after_the_other(self):
         prior = ["1/4", "3/4"]
         once = URNS.posterior(prior, "red")
-        assert fuse(URNS, URNS).posterior(prior, ("red", "white")) == URNS.posterior(once, "white")
+        assert fuse_sensors(URNS, URNS).posterior(prior, ("red", "white")) == URNS.posterior(
+            once, "white"
+        )
 
 
 class TestCounts:
