@@ -19,7 +19,7 @@ from itertools import chain
 from typing import Any, Final, Protocol, TypeAlias, final
 
 import numpy as np
-from gmpy2 import mpq
+from gmpy2 import lcm, mpq, mpz
 from numpy.typing import NDArray
 
 from stochgeom.decision.distributions import distribution, listed, listed_tables
@@ -286,12 +286,29 @@ class PlanningProblem:
         """Do as `after`, the action given by its place."""
         if self.numbers is NumberKind.FLOAT:
             return np.asarray(hyperstate) @ self._matrices[number]
+        if self.numbers is NumberKind.RATIONAL and self._integer_rows[number] is not None:
+            return self._after_by_integers(hyperstate, self._integer_rows[number])
         result: list[Any] = [_NOTHING[self.numbers]] * len(self.states)
         for share, entries in zip(hyperstate, self._sparse[number], strict=True):
             if share:
                 for j, p in entries:
                     result[j] += share if p == 1 else share * p
         return tuple(result)
+
+    def _after_by_integers(self, hyperstate: Vector, rows: Any) -> Vector:
+        """Multiply over one common denominator: a sum of fractions would be reduced n^2 times."""
+        weights = [
+            (share / denominator, entries)
+            for share, (denominator, entries) in zip(hyperstate, rows, strict=True)
+            if share
+        ]
+        common = lcm(mpz(1), *(weight.denominator for weight, _ in weights))
+        totals = [mpz(0)] * len(self.states)
+        for weight, entries in weights:
+            factor = weight.numerator * (common // weight.denominator)
+            for j, numerator in entries:
+                totals[j] += factor * numerator
+        return tuple(mpq(total, common) for total in totals)
 
     def run(self, plan: Iterable[Hashable], hyperstate: Vector | None = None) -> Vector:
         """Return the hyperstate after a plan, from the prior or another hyperstate (Eq. 2.4).
@@ -314,6 +331,18 @@ class PlanningProblem:
             [[(j, p) for j, p in enumerate(row) if p] for row in matrix]
             for matrix in self._matrices
         ]
+
+    @cached_property
+    def _integer_rows(self) -> list[Any]:
+        """For each action and state a denominator and numerators; None for 0-1 matrices."""
+        found: list[Any] = []
+        for matrix in self._sparse:
+            rows = []
+            for row in matrix:
+                common = lcm(mpz(1), *(p.denominator for _, p in row))
+                rows.append((common, [(j, mpz(p * common)) for j, p in row]))
+            found.append(None if all(len(row) == 1 for row in matrix) else rows)
+        return found
 
     def successors(self, number: int, state: int) -> Sequence[tuple[int, Any]]:
         """Return the possible next states of a state, with probabilities, all by their places."""
