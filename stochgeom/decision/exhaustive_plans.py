@@ -135,6 +135,7 @@ def _best_floats(
 ) -> tuple[float, list[tuple[Any, ...]]]:
     problem = model.problem
     prices = np.array(model.prices, dtype=np.float64)
+    side_by_side = np.hstack(list(problem.stacked))
     hyperstates = np.asarray(problem.prior, dtype=np.float64)[np.newaxis]
     spent = np.zeros(1)
     best, words = np.inf, np.array([-1])
@@ -146,9 +147,8 @@ def _best_floats(
         kept: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
         for start in range(0, len(spent), _BLOCK):
             block = slice(start, start + _BLOCK)
-            # Rows in the order of the plans: a beginning's extensions stand together.
-            after = np.matmul(hyperstates[block], problem.stacked).transpose(1, 0, 2)
-            rows = after.reshape(-1, len(problem.states))
+            # One product; rows in the order of the plans: a beginning's extensions stand together.
+            rows = (hyperstates[block] @ side_by_side).reshape(-1, len(problem.states))
             total = (spent[block, np.newaxis] + prices).ravel()
             costs = model.values(total, rows)
             least = float(costs.min())
