@@ -18,19 +18,39 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from stochgeom.decision.additive_costs import AdditiveCost, distance_cost
     from stochgeom.decision.callable_prior import CallablePrior
+    from stochgeom.decision.circular_variance import VarianceCost, circular_variance
+    from stochgeom.decision.decision_rules import DecisionProblem
     from stochgeom.decision.density_priors import VonMises, WrappedNormal
     from stochgeom.decision.discrete_prior import DiscretePrior
+    from stochgeom.decision.entropy import EntropyCost, entropy, information
+    from stochgeom.decision.exhaustive_plans import every_plan
+    from stochgeom.decision.goal_costs import GoalCost, GuaranteedCost
     from stochgeom.decision.hyperstates import Hyperstate
+    from stochgeom.decision.infinity import INFINITE
+    from stochgeom.decision.iterative_costs import IterativeCost
     from stochgeom.decision.mixture_prior import MixturePrior
+    from stochgeom.decision.perfect_information import ObservedPolicy, observed_policy
     from stochgeom.decision.piecewise_prior import PiecewisePrior
+    from stochgeom.decision.plan_costs import CostModel, PlanCost
+    from stochgeom.decision.plan_results import PlanResult
+    from stochgeom.decision.plan_search import best_action, find_plan
+    from stochgeom.decision.planning_problem import PlanningProblem
     from stochgeom.decision.prior_estimates import PriorEstimate
     from stochgeom.decision.priors import Prior, Window, uniform_prior
+    from stochgeom.decision.random_search import random_plan
+    from stochgeom.decision.randomised_rules import RandomisedRule, randomised_minimax
     from stochgeom.decision.rejections import Observation, Rejections
+    from stochgeom.decision.rounds import Rounds
+    from stochgeom.decision.two_argmins import TwoArgmins, two_argmins
+    from stochgeom.decision.uniform_difference import cyclic_difference, simulated_difference
+    from stochgeom.decision.worst_case_costs import MinimaxCost
     from stochgeom.errors import StochgeomError
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
     from stochgeom.exact.forms import sign_of_form
+    from stochgeom.exact.independent_sums import LogSum, RootSum
     from stochgeom.exact.quotients import SumQuotient
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
@@ -43,6 +63,7 @@ if TYPE_CHECKING:
     from stochgeom.feeding.nearby_courses import PartErrorReport
     from stochgeom.feeding.part_errors import tolerance_of
     from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
+    from stochgeom.feeding.planning_problems import OrientingProblem, planning_problem_of
     from stochgeom.feeding.plans import FeedingPlan
     from stochgeom.feeding.preimages import Preimage, Preimages, preimages
     from stochgeom.feeding.problem import FeedingProblem
@@ -56,6 +77,8 @@ if TYPE_CHECKING:
     from stochgeom.geometry.radius import RadiusFunction, RadiusPiece
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
+    from stochgeom.io.pomdp_file import write_pomdp
+    from stochgeom.io.problem_json import load_problem, problem_document
     from stochgeom.sensing.calibration import (
         CalibrationProblem,
         calibration_problem,
@@ -84,6 +107,43 @@ if TYPE_CHECKING:
     from stochgeom.transfer.step_function import StepFunction
 
 _HOMES = {
+    "AdditiveCost": "decision.additive_costs",
+    "CostModel": "decision.plan_costs",
+    "DecisionProblem": "decision.decision_rules",
+    "EntropyCost": "decision.entropy",
+    "GoalCost": "decision.goal_costs",
+    "GuaranteedCost": "decision.goal_costs",
+    "INFINITE": "decision.infinity",
+    "IterativeCost": "decision.iterative_costs",
+    "LogSum": "exact.independent_sums",
+    "MinimaxCost": "decision.worst_case_costs",
+    "ObservedPolicy": "decision.perfect_information",
+    "OrientingProblem": "feeding.planning_problems",
+    "PlanCost": "decision.plan_costs",
+    "PlanResult": "decision.plan_results",
+    "PlanningProblem": "decision.planning_problem",
+    "RandomisedRule": "decision.randomised_rules",
+    "RootSum": "exact.independent_sums",
+    "Rounds": "decision.rounds",
+    "TwoArgmins": "decision.two_argmins",
+    "VarianceCost": "decision.circular_variance",
+    "best_action": "decision.plan_search",
+    "circular_variance": "decision.circular_variance",
+    "cyclic_difference": "decision.uniform_difference",
+    "distance_cost": "decision.additive_costs",
+    "entropy": "decision.entropy",
+    "every_plan": "decision.exhaustive_plans",
+    "find_plan": "decision.plan_search",
+    "information": "decision.entropy",
+    "load_problem": "io.problem_json",
+    "observed_policy": "decision.perfect_information",
+    "planning_problem_of": "feeding.planning_problems",
+    "problem_document": "io.problem_json",
+    "random_plan": "decision.random_search",
+    "randomised_minimax": "decision.randomised_rules",
+    "simulated_difference": "decision.uniform_difference",
+    "two_argmins": "decision.two_argmins",
+    "write_pomdp": "io.pomdp_file",
     "AngleSum": "exact.sums",
     "CallablePrior": "decision.callable_prior",
     "DiscretePrior": "decision.discrete_prior",
@@ -182,9 +242,11 @@ __all__ = [
     "FAMILIES",
     "FULL_TURN",
     "HALF_TURN",
+    "INFINITE",
     "QUARTER_TURN",
     "ZERO",
     "Action",
+    "AdditiveCost",
     "Angle",
     "AngleSum",
     "AngleVector",
@@ -193,29 +255,45 @@ __all__ = [
     "CallablePrior",
     "ClosedArc",
     "ConvexHull",
+    "CostModel",
+    "DecisionProblem",
     "Decisions",
     "DiameterFunction",
     "DiscretePrior",
+    "EntropyCost",
     "ErrorBound",
     "FeedingPlan",
     "FeedingProblem",
+    "GoalCost",
+    "GuaranteedCost",
     "Hyperstate",
+    "IterativeCost",
+    "LogSum",
+    "MinimaxCost",
     "MixturePrior",
     "Observation",
+    "ObservedPolicy",
     "OneStepPlan",
+    "OrientingProblem",
     "Part",
     "PartErrorReport",
     "PiecewisePrior",
+    "PlanCost",
     "PlanReport",
+    "PlanResult",
     "PlanTree",
+    "PlanningProblem",
     "Preimage",
     "Preimages",
     "Prior",
     "PriorEstimate",
     "RadiusFunction",
     "RadiusPiece",
+    "RandomisedRule",
     "RecognitionProblem",
     "Rejections",
+    "RootSum",
+    "Rounds",
     "SensingProblem",
     "Sensor",
     "SensorPlan",
@@ -225,25 +303,37 @@ __all__ = [
     "StochgeomError",
     "SumQuotient",
     "TurnRatio",
+    "TwoArgmins",
+    "VarianceCost",
     "VonMises",
     "Window",
     "WrappedNormal",
     "antipodal_pairs",
+    "best_action",
     "calibration_problem",
     "catalogue_names",
     "catalogue_part",
     "check_claim",
     "choose_bits",
+    "circular_variance",
     "compare_sensors",
     "convex_hull",
+    "cyclic_difference",
     "diameter_sensor",
+    "distance_cost",
+    "entropy",
+    "every_plan",
     "expected_entropy",
+    "find_plan",
     "from_float_exact",
     "from_float_shortest",
     "fuse_sensors",
+    "information",
     "iterative_sensor_plan",
     "load_part",
+    "load_problem",
     "most_stable_grasps",
+    "observed_policy",
     "one_step_plan",
     "orient_up_to_symmetry",
     "parse_angles",
@@ -252,23 +342,30 @@ __all__ = [
     "plan_feeding",
     "plan_transfer",
     "plan_weighing_grasps",
+    "planning_problem_of",
     "preimages",
+    "problem_document",
     "push_function",
     "push_grasp_function",
+    "random_plan",
+    "randomised_minimax",
     "rational",
     "read_outline",
     "sampled_sensor",
     "sensor_from_counts",
     "sensor_plan",
     "sign_of_form",
+    "simulated_difference",
     "squeeze_function",
     "stability_costs",
     "stable_grasps",
     "tolerance_of",
+    "two_argmins",
     "uniform_prior",
     "union_arcs",
     "union_measure",
     "verify_plan",
+    "write_pomdp",
 ]
 
 
