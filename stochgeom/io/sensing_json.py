@@ -9,10 +9,11 @@ from stochgeom.exact.scalars import rational_text
 from stochgeom.io.plan_json import Json, angle_json, part_json
 from stochgeom.sensing.diameter_sensor import root_text
 from stochgeom.sensing.one_step import OneStepPlan
-from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, mass_of
+from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.sensing_problem import OrderComparison, SensingProblem
 from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.sensing.sensors import Sensor
+from stochgeom.sensing.tree_nodes import Act, Leaf, Node, mass_of
 from stochgeom.sensing.tree_text import label_text
 
 

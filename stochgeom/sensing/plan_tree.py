@@ -4,113 +4,21 @@ An inner node of the tree acts and has one child, or senses and has a child for 
 possible; a leaf decides: it accepts a state, names a part, or just ends. All plans together are an
 AND/OR tree: OR between the moves, AND between the readings of one sensing.
 
-A node holds its *joint hyperstate*: for each state the probability that the readings so far were
-made and the state is that one now. Its sum is the probability of coming there, and divided by that
-sum it is the hyperstate. Costs and gains weighted with those probabilities add up over the nodes,
-which is the recursion of 7.2.4: the cost of a plan is that of its first move plus the costs of its
-subplans, each weighted with the marginal probability of its reading.
+Costs and gains weighted with the probabilities of the nodes add up, which is the recursion of
+7.2.4: the cost of a plan is that of its first move plus the costs of its subplans, each weighted
+with the marginal probability of its reading.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias, final
+from typing import Any, final
 
-from stochgeom.exact.quotients import quotient
-
-
-@final
-@dataclass(frozen=True, slots=True)
-class Leaf:
-    """The end of a subplan.
-
-    Attributes
-    ----------
-    weights : tuple of numbers
-        The joint hyperstate.
-    decision : label
-        What is decided, such as the state that is accepted.
-    gain : number
-        What the decision gains, times the probability of coming here; for the acceptance of a
-        state the probability that it is the right one.
-    truncated : bool
-        Whether the subplan was cut off because its gain was good enough.
-    """
-
-    weights: tuple[Any, ...]
-    decision: Hashable
-    gain: Any
-    truncated: bool = False
-
-
-@final
-@dataclass(frozen=True, slots=True)
-class Act:
-    """An action and what follows it.
-
-    Attributes
-    ----------
-    weights : tuple of numbers
-        The joint hyperstate before the action.
-    action : label
-        The action.
-    cost : number
-        Its cost.
-    child : Node
-        The plan from then on.
-    """
-
-    weights: tuple[Any, ...]
-    action: Hashable
-    cost: Any
-    child: Node
-
-
-@final
-@dataclass(frozen=True, slots=True)
-class Sense:
-    """A look at a sensor, and what follows each reading.
-
-    Attributes
-    ----------
-    weights : tuple of numbers
-        The joint hyperstate before.
-    sensor : label
-        Which sensor.
-    cost : number
-        Its cost.
-    branches : tuple of (label, Node)
-        The readings of positive probability and the plans that follow them.
-    """
-
-    weights: tuple[Any, ...]
-    sensor: Hashable
-    cost: Any
-    branches: tuple[tuple[Hashable, Node], ...]
-
-
-Node: TypeAlias = "Leaf | Act | Sense"
-
-
-def mass_of(node: Node) -> Any:
-    """Return the probability of coming to a node.
-
-    Examples
-    --------
-    >>> from gmpy2 import mpq
-    >>> mass_of(Leaf((mpq(1, 4), mpq(1, 4)), "a", mpq(1, 4)))
-    mpq(1,2)
-    """
-    return sum(node.weights[1:], start=node.weights[0])
-
-
-def children_of(node: Node) -> tuple[Node, ...]:
-    """Return the nodes right below a node."""
-    if isinstance(node, Act):
-        return (node.child,)
-    return tuple(child for _, child in node.branches) if isinstance(node, Sense) else ()
+from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense, Wording, children_of, mass_of
+from stochgeom.sensing.tree_svg import tree_svg
+from stochgeom.sensing.tree_text import tree_dot, tree_text
 
 
 @final
@@ -197,25 +105,23 @@ class PlanTree:
         """Whether a subplan was cut off because it was good enough."""
         return any(leaf.truncated for leaf in self.leaves())
 
+    @property
+    def _words(self) -> Wording:
+        return Wording(self.accepts, self.action_form)
+
     # --- pictures --------------------------------------------------------------------------------
 
     def text(self, digits: int = 4) -> str:
         """Return the tree as text, a line for each move and reading."""
-        from stochgeom.sensing.tree_text import tree_text
-
-        return tree_text(self, digits)
+        return tree_text(self.root, self._words, digits)
 
     def dot(self, digits: int = 4) -> str:
         """Return the tree in the language of Graphviz; readings of one sensing are joined."""
-        from stochgeom.sensing.tree_text import tree_dot
-
-        return tree_dot(self, digits)
+        return tree_dot(self.root, self._words, digits)
 
     def svg(self, digits: int = 4) -> str:
         """Return the tree as a drawing, a scalable vector graphic."""
-        from stochgeom.sensing.tree_svg import tree_svg
-
-        return tree_svg(self, digits)
+        return tree_svg(self.root, self._words, digits)
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -244,16 +150,3 @@ def _highest_cost(node: Node) -> Any:
     if isinstance(node, Leaf):
         return 0
     return node.cost + max(_highest_cost(child) for child in children_of(node))
-
-
-def posterior_of(node: Node) -> tuple[Any, ...]:
-    """Return the hyperstate of a node: its joint hyperstate over the probability of coming there.
-
-    Examples
-    --------
-    >>> from gmpy2 import mpq
-    >>> posterior_of(Leaf((mpq(1, 4), mpq(1, 12)), "a", mpq(1, 4)))
-    (mpq(3,4), mpq(1,4))
-    """
-    total = mass_of(node)
-    return tuple(quotient(weight, total) for weight in node.weights)

@@ -60,6 +60,8 @@ class Sensor:
     ----------
     readings, states : tuple
         The labels.
+    likelihood : tuple of rows
+        For each state the probabilities of the readings.
     numbers : NumberKind
         Rational or float.
 

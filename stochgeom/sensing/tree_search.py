@@ -35,8 +35,9 @@ from stochgeom.errors import NodeLimitError
 from stochgeom.exact.quotients import number_sign
 from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.decisions import Decisions
-from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense
+from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.sensors import Sensor
+from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense
 
 NODE_LIMIT: Final = 1_000_000
 """Nodes that the tree of all plans may have, unless told otherwise."""

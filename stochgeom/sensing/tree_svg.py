@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 from xml.sax.saxutils import escape
 
-from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense, children_of
+from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense, Wording, children_of
 from stochgeom.sensing.tree_text import move_text, reading_text
 
 ROW: Final = 34
@@ -47,22 +47,22 @@ class _Placed:
         return LETTER * len(self.text) + 16
 
 
-def tree_svg(tree: PlanTree, digits: int = 4) -> str:
+def tree_svg(root: Node, words: Wording, digits: int = 4) -> str:
     """Return a drawing of a tree.
 
     Examples
     --------
     >>> from gmpy2 import mpq
     >>> leaf = Leaf((mpq(1),), "up", mpq(1))
-    >>> picture = tree_svg(PlanTree(Act((mpq(1),), "turn", mpq(1), leaf), ("up",)))
+    >>> picture = tree_svg(Act((mpq(1),), "turn", mpq(1), leaf), Wording())
     >>> picture[:28], picture.count("<rect")
     ('<svg xmlns="http://www.w3.or', 2)
     """
-    root, rows = _place(tree.root, tree, digits, "", 0, 0)
-    columns = _columns(root)
+    top, rows = _place(root, words, digits, "", 0, 0)
+    columns = _columns(top)
     width = columns[-1] + 8
     height = rows * ROW + 8
-    body = "".join(_edges(root, columns)) + "".join(_boxes(root, columns))
+    body = "".join(_edges(top, columns)) + "".join(_boxes(top, columns))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
         f'viewBox="0 0 {width:.0f} {height:.0f}"><style>{_STYLE}</style>{body}</svg>'
@@ -70,15 +70,15 @@ def tree_svg(tree: PlanTree, digits: int = 4) -> str:
 
 
 def _place(
-    node: Node, tree: PlanTree, digits: int, edge: str, depth: int, row: int
+    node: Node, words: Wording, digits: int, edge: str, depth: int, row: int
 ) -> tuple[_Placed, int]:
     """Place a subtree from a row on; return it and the first row after it."""
-    placed = _Placed(node, move_text(node, tree, digits), edge, depth, 0.0, [])
+    placed = _Placed(node, move_text(node, words, digits), edge, depth, 0.0, [])
     texts = [""] * len(children_of(node))
     if isinstance(node, Sense):
         texts = [reading_text(reading, child, node, digits) for reading, child in node.branches]
     for child, text in zip(children_of(node), texts, strict=True):
-        below, row = _place(child, tree, digits, text, depth + 1, row)
+        below, row = _place(child, words, digits, text, depth + 1, row)
         placed.children.append(below)
     if placed.children:
         placed.y = (placed.children[0].y + placed.children[-1].y) / 2

@@ -7,7 +7,7 @@ from itertools import count
 from typing import Any, Final
 
 from stochgeom.exact.quotients import number_decimal, quotient
-from stochgeom.sensing.plan_tree import Act, Leaf, Node, PlanTree, Sense, mass_of
+from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense, Wording, mass_of
 
 
 def label_text(label: Any) -> str:
@@ -24,15 +24,15 @@ def label_text(label: Any) -> str:
     return str(label)
 
 
-def move_text(node: Node, tree: PlanTree, digits: int) -> str:
+def move_text(node: Node, words: Wording, digits: int) -> str:
     """Return what is done at a node: ``"read eye"``, ``"do turn"``, ``"accept up (0.9000)"``."""
     if isinstance(node, Act):
-        return tree.action_form.format(label_text(node.action))
+        return words.action_form.format(label_text(node.action))
     if isinstance(node, Sense):
         return f"read {label_text(node.sensor)}"
-    worth = quotient(node.gain if tree.accepts else 0 - node.gain, mass_of(node))
+    worth = quotient(node.gain if words.accepts else 0 - node.gain, mass_of(node))
     text = f"{label_text(node.decision)} ({number_decimal(worth, digits)})"
-    return ("accept " if tree.accepts else "") + text + (", good enough" * node.truncated)
+    return ("accept " if words.accepts else "") + text + (", good enough" * node.truncated)
 
 
 def reading_text(reading: Any, child: Node, parent: Node, digits: int) -> str:
@@ -41,26 +41,26 @@ def reading_text(reading: Any, child: Node, parent: Node, digits: int) -> str:
     return f"{label_text(reading)} ({number_decimal(share, digits)})"
 
 
-def tree_text(tree: PlanTree, digits: int = 4) -> str:
+def tree_text(root: Node, words: Wording, digits: int = 4) -> str:
     """Return a tree as text: a line for each move, and for each reading with its probability."""
-    return "\n".join(_lines(tree.root, tree, digits, "", ""))
+    return "\n".join(_lines(root, words, digits, "", ""))
 
 
-def _lines(node: Node, tree: PlanTree, digits: int, lead: str, indent: str) -> Iterator[str]:
-    yield lead + move_text(node, tree, digits)
+def _lines(node: Node, words: Wording, digits: int, lead: str, indent: str) -> Iterator[str]:
+    yield lead + move_text(node, words, digits)
     if isinstance(node, Act):
-        yield from _lines(node.child, tree, digits, indent, indent)
+        yield from _lines(node.child, words, digits, indent, indent)
     elif isinstance(node, Sense):
         for reading, child in node.branches:
             text = f"{indent}  {reading_text(reading, child, node, digits)}"
             if isinstance(child, Leaf):
-                yield f"{text}: {move_text(child, tree, digits)}"
+                yield f"{text}: {move_text(child, words, digits)}"
             else:
                 yield text
-                yield from _lines(child, tree, digits, f"{indent}    ", f"{indent}    ")
+                yield from _lines(child, words, digits, f"{indent}    ", f"{indent}    ")
 
 
-def tree_dot(tree: PlanTree, digits: int = 4) -> str:
+def tree_dot(root: Node, words: Wording, digits: int = 4) -> str:
     """Return a tree in the language of Graphviz.
 
     Sensings are diamonds, actions boxes, leaves ellipses; the edges of a sensing carry the readings
@@ -70,7 +70,7 @@ def tree_dot(tree: PlanTree, digits: int = 4) -> str:
     --------
     >>> from gmpy2 import mpq
     >>> leaf = Leaf((mpq(1),), "up", mpq(1))
-    >>> print(tree_dot(PlanTree(Act((mpq(1),), "turn", mpq(1), leaf), ("up",))))
+    >>> print(tree_dot(Act((mpq(1),), "turn", mpq(1), leaf), Wording()))
     digraph plan {
       rankdir=LR;
       n0 [shape=box, label="do turn"];
@@ -79,25 +79,25 @@ def tree_dot(tree: PlanTree, digits: int = 4) -> str:
     }
     """
     lines: list[str] = []
-    _dot(tree.root, tree, digits, lines, count())
+    _dot(root, words, digits, lines, count())
     return "\n".join(["digraph plan {", "  rankdir=LR;", *lines, "}"])
 
 
 _SHAPES: Final = {Act: "box", Sense: "diamond", Leaf: "ellipse"}
 
 
-def _dot(node: Node, tree: PlanTree, digits: int, lines: list[str], numbers: Iterator[int]) -> str:
+def _dot(node: Node, words: Wording, digits: int, lines: list[str], numbers: Iterator[int]) -> str:
     """Write a subtree; return the name of its first node."""
     # A subplan may be one object in several places; each place is a node of its own.
     name = f"n{next(numbers)}"
-    text = _quoted(move_text(node, tree, digits))
+    text = _quoted(move_text(node, words, digits))
     lines.append(f"  {name} [shape={_SHAPES[type(node)]}, label={text}];")
     if isinstance(node, Act):
-        lines.append(f"  {name} -> {_dot(node.child, tree, digits, lines, numbers)};")
+        lines.append(f"  {name} -> {_dot(node.child, words, digits, lines, numbers)};")
     elif isinstance(node, Sense):
         for reading, child in node.branches:
             label = _quoted(reading_text(reading, child, node, digits))
-            below = _dot(child, tree, digits, lines, numbers)
+            below = _dot(child, words, digits, lines, numbers)
             lines.append(f"  {name} -> {below} [label={label}];")
     return name
 

@@ -14,11 +14,11 @@ from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.sensing.calibration import expected_entropy
 from stochgeom.sensing.diameter_sensor import sensor_of_diameters
 from stochgeom.sensing.one_step import one_step_plan
-from stochgeom.sensing.plan_tree import Act, Leaf
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.sensor_design import fuse_sensors
 from stochgeom.sensing.sensors import Sensor
+from stochgeom.sensing.tree_nodes import Act, Leaf
 from tests.strategies import (
     PYTHAGOREAN,
     distributions,

@@ -14,9 +14,10 @@ from stochgeom.exact.quotients import quotient
 from stochgeom.exact.sums import AngleSum
 from stochgeom.sensing.decisions import Decisions, accept_groups, lose_by_table
 from stochgeom.sensing.one_step import one_step_plan
-from stochgeom.sensing.plan_tree import Act, Leaf, PlanTree, Sense, posterior_of
+from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
 from stochgeom.sensing.sensors import Sensor
+from stochgeom.sensing.tree_nodes import Act, Leaf, Sense, posterior_of
 from stochgeom.sensing.tree_search import tree_size
 
 STATES = ("u", "v", "w")
