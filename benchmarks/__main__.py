@@ -24,6 +24,7 @@ NAMES = (
     "exhaustive",
     "actions_and_priors",
     "decision",
+    "sensor_trees",
 )
 
 
