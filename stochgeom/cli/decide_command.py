@@ -6,6 +6,7 @@ import argparse
 import re
 from typing import Any
 
+from stochgeom.cli.decide_sensors import decide_with_sensors
 from stochgeom.cli.decide_text import result_document, result_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
@@ -16,7 +17,7 @@ from stochgeom.errors import FormatError, InputError
 from stochgeom.exact.scalars import parse_rational
 from stochgeom.io.files import write_whole
 from stochgeom.io.pomdp_file import write_pomdp
-from stochgeom.io.problem_json import load_problem
+from stochgeom.io.sensors_json import load_sensed_problem
 
 _EPILOG = """\
 PROBLEM.json holds states, a prior, actions, a stochastic matrix for each, and a cost:
@@ -24,6 +25,9 @@ PROBLEM.json holds states, a prior, actions, a stochastic matrix for each, and a
   {"states": ["heads", "tails"], "prior": [1, 0], "actions": ["turn", "throw"],
    "transitions": {"turn": [[0, 1], [1, 0]], "throw": [["1/2", "1/2"], [0.5, 0.5]]},
    "cost": {"kind": "goal", "goal": ["tails"], "actions": {"turn": "1/10"}}}
+
+It may hold sensors, "sensors": {"eye": {"readings": [...], "likelihood": {STATE: [...]},
+"cost": C}}; then the plan is a tree, and the cost is additive, goal or iterative.
 
 Numbers are exact: 0.5 is one half. With "numbers": "float" they are floats. Kinds of cost:
 additive, minimax, goal, guaranteed, iterative, entropy, variance, distance. examples:
@@ -78,11 +82,22 @@ def run(arguments: argparse.Namespace) -> int:
     node_limit = _whole(arguments.node_limit, "--node-limit")
     seconds = arguments.time_limit
     time_limit = None if seconds is None else float(parse_rational(seconds, where="--time-limit"))
-    problem = load_problem(arguments.file)
+    problem, sensors = load_sensed_problem(arguments.file)
     if problem.cost is None:
         raise FormatError(
             f'missing; accepted: "cost": {{"kind": KIND, ...}}, see {_HELP}',
             where=f"{arguments.file}, key cost",
+        )
+    if sensors:
+        _refuse_for_trees(arguments)
+        return decide_with_sensors(
+            problem,
+            sensors,
+            horizon,
+            digits=digits,
+            as_json=arguments.json,
+            node_limit=node_limit,
+            time_limit=time_limit,
         )
     if arguments.pomdp is not None:
         write_whole(arguments.pomdp, write_pomdp(problem))
@@ -103,6 +118,16 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         write(result_text(found, horizon, digits))
     return 0 if found.feasible else 1
+
+
+def _refuse_for_trees(arguments: argparse.Namespace) -> None:
+    """Refuse options that a problem with sensors has no use for."""
+    for option in ("method", "all", "allow_empty", "threshold", "pomdp"):
+        if getattr(arguments, option):
+            raise InputError(
+                "not for problems with sensors; accepted: --horizon, --node-limit, --time-limit",
+                where=f"--{option.replace('_', '-')}",
+            )
 
 
 def _threshold(text: str | None, *, exact: bool) -> Any:

@@ -10,7 +10,8 @@ A document is an object with the keys
   probability is not 0;
 - ``transitions``: an object, for each action a list of rows, or an object of rows by state; a row
   is a list or an object as the prior is;
-- ``cost``: see `stochgeom.io.cost_json`; may be left out.
+- ``cost``: see `stochgeom.io.cost_json`; may be left out;
+- ``sensors``: see `stochgeom.io.sensors_json`; may be left out, and is left to it.
 
 Numbers are JSON numbers or text such as ``"1/3"``. An exact number may be a sum of angles in full
 turns, ``{"constant": "1/3", "angles": [["1/2", {"turns": "0", "direction": ["3", "2"]}]]}``.
@@ -36,7 +37,10 @@ from stochgeom.io.rings import shown
 SCHEMA: Final = "stochgeom/problem/1"
 
 ACCEPTED: Final = 'accepted: a JSON object with "states", "prior", "actions" and "transitions"'
-_KEYS: Final = ("schema", "name", "numbers", "states", "prior", "actions", "transitions", "cost")
+_KEYS: Final = (
+    *("schema", "name", "numbers", "states", "prior", "actions", "transitions"),
+    *("cost", "sensors"),
+)
 
 Json = dict[str, Any]
 
@@ -97,7 +101,7 @@ def problem_from_json(document: Any) -> PlanningProblem:
     name = document.get("name")
     if name is not None and not isinstance(name, str):
         raise FormatError(f"{kind_of(name)}; accepted: text", where="name")
-    reader = _Reader(is_float=numbers == "float")
+    reader = NumberReader(is_float=numbers == "float")
     cost = document.get("cost")
     problem = PlanningProblem(
         _labels(document["states"], "states"),
@@ -112,13 +116,14 @@ def problem_from_json(document: Any) -> PlanningProblem:
     return problem
 
 
-class _Reader:
-    """Reads numbers of one kind."""
+class NumberReader:
+    """Reads numbers of one kind, alone, in rows and in tables."""
 
     def __init__(self, *, is_float: bool) -> None:
         self._is_float = is_float
 
     def number(self, value: Any, place: str) -> Any:
+        """Return a number; `place` is where it stands."""
         if isinstance(value, dict) and not self._is_float:
             return _read_sum(value, place)
         if not isinstance(value, str):
@@ -127,6 +132,7 @@ class _Reader:
         return float(exact) if self._is_float else exact
 
     def row(self, value: Any, place: str) -> Any:
+        """Return a list of numbers, or numbers by label."""
         if isinstance(value, dict):
             return {key: self.number(v, f"{place}, {shown(key)}") for key, v in value.items()}
         if not isinstance(value, list):
@@ -134,6 +140,7 @@ class _Reader:
         return [self.number(v, f"{place}, entry {k}") for k, v in enumerate(value)]
 
     def tables(self, value: Any) -> dict[str, Any]:
+        """Return the rows of each action."""
         if not isinstance(value, dict):
             raise FormatError(
                 f"{kind_of(value)}; accepted: an object with rows for each action",

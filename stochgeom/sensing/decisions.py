@@ -16,7 +16,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Any, final
 
-from stochgeom.decision.additive_costs import AdditiveCost, AdditiveModel
+from stochgeom.decision.additive_costs import AdditiveModel
 from stochgeom.decision.distributions import listed
 from stochgeom.decision.infinity import INFINITE
 from stochgeom.decision.labels import Labels, named
@@ -173,6 +173,8 @@ def lose_by_table(
 def lose_by_state(problem: PlanningProblem) -> tuple[Decisions, tuple[Any, ...]]:
     """Return the one decision to end, and the prices of the actions, of a problem's additive cost.
 
+    Any cost counts that is one on the problem, such as the probability of missing a goal.
+
     Raises
     ------
     SensorError
@@ -180,15 +182,19 @@ def lose_by_state(problem: PlanningProblem) -> tuple[Decisions, tuple[Any, ...]]
 
     Examples
     --------
+    >>> from stochgeom.decision.additive_costs import AdditiveCost
     >>> cost = AdditiveCost(actions="1/8", states={"1": 1})
     >>> coin = PlanningProblem.from_matrices(["1/2", "1/2"], {"turn": [[0, 1], [1, 0]]}, cost=cost)
     >>> lose_by_state(coin)[0].gains, lose_by_state(coin)[1]
     (((mpq(0,1), mpq(-1,1)),), (mpq(1,8),))
     """
-    if not isinstance(problem.cost, AdditiveCost):
-        raise SensorError("the problem has no additive cost; accepted: AdditiveCost, or losses")
-    model = problem.cost.on(problem)
-    assert isinstance(model, AdditiveModel)
+    model = None if problem.cost is None else problem.cost.on(problem)
+    if not isinstance(model, AdditiveModel):
+        raise SensorError(
+            "the problem has no additive cost; accepted: one that is, such as AdditiveCost and "
+            "GoalCost, or losses",
+            where="cost",
+        )
     for state, cost in zip(problem.states, model.state_costs, strict=True):
         if cost is INFINITE or cost == float("inf"):
             raise SensorError(

@@ -131,13 +131,13 @@ class PlanTask:
         return replace(plan, lower_bound=plan.expected_cost) if floor is None else plan
 
     def _floor(self, search: TreeSearch) -> Any:
-        """Return what no plan costs less than: the costs when states are seen."""
+        """Return what no plan costs less than.
+
+        Once: the costs when states are seen. Repeated: those of a round that always gains most.
+        """
         if self.round_cost is None:
             return search.bound(1)
-        weights, best = search.root.weights, self.decisions.best_gains
-        gains = [w * g for w, g in zip(weights, best, strict=True)]
-        most = sum(gains[1:], start=gains[0])
-        return self.round_cost if most == 0 else quotient(self.round_cost, most)
+        return quotient(self.round_cost, max(self.decisions.best_gains))
 
 
 def until_success(search: TreeSearch, moves: int, round_cost: Any) -> PlanTree:

@@ -14,16 +14,25 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from typing import Any
 
+from stochgeom.decision.additive_costs import goal_numbers
+from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.plan_costs import Prices, read_prices
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import CostError
-from stochgeom.sensing.decisions import Decisions, accept_one_of, lose_by_state
+from stochgeom.sensing.decisions import Decisions, accept_groups, accept_one_of, lose_by_state
 from stochgeom.sensing.plan_tasks import PlanTask, Sensors
 from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.sensing.sensors import Sensor
 from stochgeom.sensing.tree_search import NODE_LIMIT
 
-__all__ = ["NODE_LIMIT", "Sensor", "SensorPlan", "iterative_sensor_plan", "sensor_plan"]
+__all__ = [
+    "NODE_LIMIT",
+    "Sensor",
+    "SensorPlan",
+    "iterative_sensor_plan",
+    "plan_for_cost",
+    "sensor_plan",
+]
 
 
 def sensor_plan(
@@ -170,3 +179,46 @@ def iterative_sensor_plan(
         raise CostError(f"{task.round_cost}; accepted: more than 0", where="cost of a round")
     task.good_enough = None if good_enough is None else task.number(good_enough, "good enough")
     return task.run(time_limit, progress)
+
+
+def plan_for_cost(
+    problem: PlanningProblem, sensors: Sensors, horizon: int | None = None, **settings: Any
+) -> SensorPlan:
+    """Return the best plan with sensors by the problem's own cost.
+
+    Parameters
+    ----------
+    problem : PlanningProblem
+        With an `IterativeCost`, or one that is additive.
+    sensors, horizon, **settings
+        As for `iterative_sensor_plan`, or `sensor_plan`.
+
+    Raises
+    ------
+    SensorError
+        If the problem's cost is of another kind: the recursion holds for these.
+
+    Examples
+    --------
+    >>> problem = PlanningProblem(
+    ...     range(3), ["1/2", "1/4", "1/4"], ["wait"], [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]],
+    ...     IterativeCost(test=2))
+    >>> plan_for_cost(problem, Sensor.from_function(range(3), lambda s: s == 0), 1).expected_cost
+    mpq(8,3)
+    """
+    cost = problem.cost
+    if not isinstance(cost, IterativeCost):
+        return sensor_plan(problem, sensors, horizon, **settings)
+    accepted = None
+    if cost.goal is not None:
+        states = [problem.states[k] for k in goal_numbers(problem, cost.goal)]
+        accepted = accept_groups(problem.states, {"goal": states})
+    return iterative_sensor_plan(
+        problem,
+        sensors,
+        horizon,
+        round_cost=cost.test,
+        action_costs=cost.actions,
+        accepted=accepted,
+        **settings,
+    )

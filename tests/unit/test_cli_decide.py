@@ -194,7 +194,7 @@ def test_a_pomdp_file_is_written(capsys, file, tmp_path):
         ),
         ({"schema": "stochgeom/plan/1"}, "schema: the text 'stochgeom/plan/1'; accepted"),
         ({"numbers": "real"}, "numbers: the text 'real'; accepted: exact, float"),
-        ({"sensors": []}, "key 'sensors': accepted keys: schema"),
+        ({"sensor": {}}, "key 'sensor': accepted keys: schema"),
         ({"name": 7}, None),
     ],
 )
