@@ -28,7 +28,7 @@ from tests.strategies import (
     ratios,
 )
 
-FEW = settings(max_examples=min(200, settings.default.max_examples))
+FEW = settings(max_examples=min(300, settings.default.max_examples))
 FEWER = settings(max_examples=min(60, settings.default.max_examples))
 
 
@@ -47,6 +47,7 @@ def watched(draw, *, sensors=1):
 # --- Bayes ---------------------------------------------------------------------------------------
 
 
+@FEW
 @given(watched())
 def test_posteriors_average_to_the_prior(case):
     problem, sensor = case
@@ -61,6 +62,7 @@ def test_posteriors_average_to_the_prior(case):
     assert tuple(mean) == problem.prior
 
 
+@FEW
 @given(watched(sensors=2))
 def test_the_order_of_two_readings_does_not_matter(case):
     problem, first, second = case
@@ -82,6 +84,7 @@ def test_a_free_sensor_never_raises_the_cost(case, moves):
     assert plan.expected_cost <= without.expected_cost
 
 
+@FEW
 @given(watched())
 def test_looking_before_accepting_never_costs_more(case):
     """Even where the look is forced: the sum of maxima is at least the maximum of the sum."""
@@ -90,6 +93,7 @@ def test_looking_before_accepting_never_costs_more(case):
     assert one_step_plan(sensor, problem.prior).expected_cost <= blind.expected_cost
 
 
+@FEW
 @given(watched(sensors=2))
 def test_two_sensors_are_no_worse_than_one(case):
     problem, first, second = case
@@ -98,6 +102,7 @@ def test_two_sensors_are_no_worse_than_one(case):
         assert both.expected_cost <= one_step_plan(sensor, problem.prior).expected_cost
 
 
+@FEW
 @given(watched(), st.data())
 def test_garbled_readings_are_no_better(case, data):
     """What is read through a noisy line of any kind (Blackwell)."""
@@ -136,6 +141,7 @@ def test_more_moves_never_cost_more(case):
     assert costs == sorted(costs, reverse=True)
 
 
+@FEW
 @given(watched())
 def test_equation_7_5_is_never_less(case):
     problem, sensor = case

@@ -102,7 +102,11 @@ sums = st.lists(st.tuples(ratios, directions), max_size=3).map(
 )
 
 
+FEW = settings(max_examples=min(200, settings.default.max_examples))
+
+
 class TestIndependentAngles:
+    @FEW
     @given(st.lists(sums, min_size=1, max_size=4))
     def test_values_are_kept(self, given_sums):
         for before, (constant, factors) in zip(
@@ -110,6 +114,7 @@ class TestIndependentAngles:
         ):
             assert AngleSum(constant, [(q, a) for a, q in factors.items()]) == before
 
+    @FEW
     @given(st.lists(sums, min_size=1, max_size=4))
     def test_zero_has_no_terms(self, given_sums):
         found = over_independent([*given_sums, *(s - s for s in given_sums)])
@@ -124,7 +129,7 @@ class TestIndependentAngles:
         assert first == (0, {Angle(0, (5, 1)): 1})
         assert second == (mpq(-1, 8), {Angle(0, (5, 1)): 4})
 
-    @settings(max_examples=min(200, settings.default.max_examples))
+    @FEW
     @given(sums, sums, sums, sums)
     def test_the_order_of_products_is_that_of_floats(self, a, b, c, d):
         off = float(a) * float(b) - float(c) * float(d)
