@@ -69,7 +69,8 @@ class AdditiveModel(CostModel):
     at most k actions when the state is seen (`stochgeom.decision.costs_to_go`). A sequence
     of k or fewer further actions costs, given that the state is i now, at least V_k(i), since the
     policy that goes through the same sequence is among those V_k is the least of; and its cost is
-    the mean of these over lambda. Without a limit k, V_k is replaced by the least C(i).
+    the mean of these over lambda. Without a limit k, or if it is so large that V_k is not computed,
+    V_k is replaced by the least C(i).
 
     Attributes
     ----------
@@ -94,9 +95,10 @@ class AdditiveModel(CostModel):
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return spent + sum lambda_i V_left(i)."""
-        if left is None:
+        costs = None if left is None else self._to_go.within(left)
+        if costs is None:
             return self.floor(spent)
-        return self._mean(hyperstate, self._to_go(left)) + self._number(spent)
+        return self._mean(hyperstate, costs) + self._number(spent)
 
     def floor(self, spent: Any) -> Any:
         """Return spent + the least C(i)."""

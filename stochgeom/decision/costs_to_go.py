@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias, final
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, final
 
 import numpy as np
 
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 Values: TypeAlias = "tuple[Any, ...]"
 """For each state a cost."""
+
+DEEPEST: Final = 64
+"""Most actions left for which costs to go are computed: exact numbers grow with each step."""
 
 Combine: TypeAlias = "Callable[[Sequence[tuple[int, Any]], Values], Any]"
 """What the possible next states, with probabilities, and their costs make together."""
@@ -59,19 +62,27 @@ class CostsToGo:
     ) -> None:
         self._problem, self._prices = problem, prices
         self._costs = [state_costs]
+        self._settled = False
         self._combine: Combine = _worst if worst_case else _mean_of_successors
 
     def __call__(self, left: int) -> Values:
         """Return V_k for k actions left."""
-        while len(self._costs) <= left:
-            last = self._costs[-1]
-            if len(self._costs) > 1 and last == self._costs[-2]:
-                return last  # nothing changes any more
+        self._reach(left)
+        return self._costs[min(left, len(self._costs) - 1)]
+
+    def within(self, left: int) -> Values | None:
+        """Return V_k, or None if k is above `DEEPEST` and V still changes there."""
+        self._reach(min(left, DEEPEST + 1))
+        return self(left) if left <= DEEPEST or self._settled else None
+
+    def _reach(self, left: int) -> None:
+        while len(self._costs) <= left and not self._settled:
             following, _ = backed_up(
-                self._problem, self._prices, self._costs[0], last, self._combine
+                self._problem, self._prices, self._costs[0], self._costs[-1], self._combine
             )
-            self._costs.append(following)
-        return self._costs[left]
+            self._settled = following == self._costs[-1]  # then nothing changes any more
+            if not self._settled:
+                self._costs.append(following)
 
 
 def backed_up(

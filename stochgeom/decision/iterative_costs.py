@@ -76,8 +76,9 @@ class IterativeModel(CostModel):
     The bound. With j more actions a plan has spent at least j times the least price more, and it
     succeeds at most with the probability that a policy attains which sees the state: sum of
     lambda_i U_j(i), with U_j(i) the largest probability to reach the goal from i with j or fewer
-    observed actions. The least quotient for j = 0 to k is a bound; without a limit k, U_j is
-    replaced by 1. If every final state may be the goal, the goal of the largest sum counts.
+    observed actions. The least quotient for j = 0 to k is a bound; without a limit k, or for a j so
+    large that U_j is not computed, U_j is replaced by 1. If every final state may be the goal, the
+    goal of the largest sum counts.
     """
 
     def __init__(
@@ -97,7 +98,7 @@ class IterativeModel(CostModel):
             CostsToGo(problem, free, tuple(one * (i not in goal) for i in range(n)))
             for goal in self._goals
         ]
-        self._reach: list[list[Values]] = []
+        self._reach: dict[int, list[Values] | None] = {}
 
     def success(self, hyperstate: Vector) -> Any:
         """Return the probability that a round which ends in a hyperstate succeeds."""
@@ -125,9 +126,13 @@ class IterativeModel(CostModel):
         # Free actions only help: then the largest j alone gives the least quotient.
         first = 1 if self.least_price else max(left, 1)
         for j in range(first, left + 1):
-            reach = max(mean(hyperstate, table) for table in self._reach_within(j))
-            cost = self._over(spent + j * self.least_price + self.test, reach)
-            best = min(best, cost)
+            # No round of so many actions, or more, is cheaper than one that is sure to succeed.
+            least = self.floor(spent + j * self.least_price)
+            tables = self._reach_within(j)
+            if tables is None or not least < best:
+                return min(best, least)
+            reach = max(mean(hyperstate, table) for table in tables)
+            best = min(best, self._over(spent + j * self.least_price + self.test, reach))
         return best
 
     def floor(self, spent: Any) -> Any:
@@ -148,11 +153,15 @@ class IterativeModel(CostModel):
         np.divide(spent + self.test, success, out=found, where=success > 0)
         return found
 
-    def _reach_within(self, actions: int) -> list[Values]:
-        """Return for each goal U_j."""
-        while len(self._reach) <= actions:
-            j = len(self._reach)
-            self._reach.append([tuple(1 - v for v in miss(j)) for miss in self._misses])
+    def _reach_within(self, actions: int) -> list[Values] | None:
+        """Return for each goal U_j, None if j is so large that it is not computed."""
+        if actions not in self._reach:
+            misses = [miss.within(actions) for miss in self._misses]
+            self._reach[actions] = (
+                None
+                if None in misses
+                else [tuple(1 - v for v in miss) for miss in misses if miss is not None]
+            )
         return self._reach[actions]
 
     @property

@@ -27,6 +27,11 @@ class Rounds:
     probability : mpq, AngleSum or float
         p, the probability that a round succeeds: more than 0, at most 1.
 
+    Attributes
+    ----------
+    probability : mpq, AngleSum or float
+        p, as a rational number if it is one.
+
     Raises
     ------
     InputError

@@ -73,9 +73,10 @@ class MinimaxModel(CostModel):
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return spent + the largest W_left(i) of a possible state."""
-        if left is None:
+        costs = None if left is None else self._to_go.within(left)
+        if costs is None:
             return self.floor(spent)
-        return spent + self._worst(hyperstate, self._to_go(left))
+        return spent + self._worst(hyperstate, costs)
 
     @staticmethod
     def _worst(hyperstate: Vector, costs: Values) -> Any:
