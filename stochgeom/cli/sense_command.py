@@ -113,6 +113,7 @@ def run(arguments: argparse.Namespace) -> int:
         plan = problem.plan(horizon, **limits)
         if horizon:
             orders = problem.compare_orders(horizon - 1, mixed=plan, **limits)
+            plan = orders.mixed
     if arguments.tree is not None:
         drawn = plan.tree.svg(digits) if arguments.tree.endswith(".svg") else plan.tree.dot(digits)
         write_whole(arguments.tree, drawn + "\n")

@@ -16,7 +16,7 @@ no enclosure decides; then the quotient itself is the price (`stochgeom.sensing.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from time import monotonic
 from typing import Any, Final, TypeAlias
@@ -94,13 +94,15 @@ class PlanTask:
             node_limit=self.node_limit,
         )
         search.report = progress
-        moves, best = len(self.stages), None
+        moves = len(self.stages)
+        best: PlanTree | None = None
         if time_limit is not None:
             search.deadline = monotonic() + time_limit
         complete = self.good_enough is None
         for depth in range(moves + 1) if time_limit is not None else [moves]:
             try:
-                best = self._solve(search, depth)
+                for tree in self._solve(search, depth, best):
+                    best = tree
             except OutOfTimeError:
                 complete = False
                 break
@@ -111,11 +113,12 @@ class PlanTask:
             raise NoPlanError(f"no plan was found in {time_limit} seconds; accepted: more of them")
         return self._plan(best, None if complete else self._floor(search))
 
-    def _solve(self, search: TreeSearch, moves: int) -> PlanTree:
-        """Return the best tree of so many moves."""
+    def _solve(self, search: TreeSearch, moves: int, start: PlanTree | None) -> Iterator[PlanTree]:
+        """Yield trees of so many moves, each better than the one before, the best one last."""
         if self.round_cost is not None:
-            return until_success(search, moves, self.round_cost)
-        return search.solve(1, moves)[1]
+            yield from until_success(search, moves, self.round_cost, start)
+        else:
+            yield search.solve(1, moves)[1]
 
     def _plan(self, tree: PlanTree, floor: Any) -> SensorPlan:
         """Return a plan with what is known about it: proven to be the best if no floor is given."""
@@ -140,18 +143,31 @@ class PlanTask:
         return quotient(self.round_cost, max(self.decisions.best_gains))
 
 
-def until_success(search: TreeSearch, moves: int, round_cost: Any) -> PlanTree:
-    """Return the tree of least cost per success.
+def until_success(
+    search: TreeSearch, moves: int, round_cost: Any, start: PlanTree | None = None
+) -> Iterator[PlanTree]:
+    """Yield trees of less and less cost per success; the last one is the best.
+
+    Parameters
+    ----------
+    search : TreeSearch
+        Finds the best tree at a price.
+    moves : int
+        Most moves.
+    round_cost : number
+        Cost of a round besides its moves.
+    start : PlanTree, optional
+        A tree to begin with.
 
     Raises
     ------
     NoPlanError
         If no tree ever succeeds.
     """
-    best = _some_success(search, moves)
-    while (better := _better(search, moves, round_cost, best)) is not None:
-        best = better
-    return best
+    best: PlanTree | None = _some_success(search, moves) if start is None else start
+    while best is not None:
+        yield best
+        best = _better(search, moves, round_cost, best)
 
 
 def _better(search: TreeSearch, moves: int, round_cost: Any, best: PlanTree) -> PlanTree | None:

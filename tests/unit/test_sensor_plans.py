@@ -142,6 +142,24 @@ class TestIterative:
         assert plan.lower_bound == 1
         assert "not proven optimal" in repr(plan)
 
+    def test_more_time_is_never_worse(self, monkeypatch):
+        """With a clock that counts how often it is asked."""
+        sensor = Sensor.noisy(STATES, "1/4", cost="1/20")
+        best = iterative_sensor_plan(PARTS, sensor, 3, action_costs="1/8")
+        costs, proven = [], []
+        for limit in (*range(0, 60, 3), 10**6):
+            ticks = iter(range(10**7))
+            monkeypatch.setattr("stochgeom.sensing.plan_tasks.monotonic", lambda: 0)
+            monkeypatch.setattr("stochgeom.sensing.tree_search.monotonic", lambda t=ticks: next(t))
+            plan = iterative_sensor_plan(PARTS, sensor, 3, action_costs="1/8", time_limit=limit)
+            costs.append(plan.expected_cost)
+            proven.append(plan.proven)
+            assert plan.lower_bound <= best.expected_cost <= plan.expected_cost
+        assert costs == sorted(costs, reverse=True)
+        assert costs[0] > costs[-1] == best.expected_cost
+        assert proven == sorted(proven)
+        assert (proven[0], proven[-1]) == (False, True)
+
     def test_in_time(self):
         plan = iterative_sensor_plan(PARTS, EYE, 2, action_costs=0, time_limit=60)
         assert (plan.expected_cost, plan.proven, plan.lower_bound) == (1, True, 1)
