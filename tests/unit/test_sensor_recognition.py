@@ -51,6 +51,27 @@ class TestRecognition:
                         target = found.problem.states[row.index(1)]
                         assert found.orientations[target] == squeeze(theta - alpha) % FULL_TURN
 
+    @pytest.mark.parametrize("other", [SQUARE, TRIANGLE, [(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)]])
+    def test_no_squeeze_is_missing(self, other):
+        """Whatever the angle, what it does to all parts is what one of the actions does."""
+        found = RecognitionProblem({"r": RECTANGLE, "o": other})
+        squeezes = {"r": squeeze_function(RECTANGLE), "o": squeeze_function(other)}
+        place = {(s[0], theta): k for k, (s, theta) in enumerate(found.orientations.items())}
+        known = {
+            tuple(row.index(1) for row in found.problem.matrix(action)) for action in found.angles
+        }
+        for degrees in range(0, 180, 2):
+            alpha = Angle.from_degrees(degrees) + Angle(0, (1000, 1))
+            # A turn of 180 degrees more moves all parts alike, and nothing sees it.
+            seen = [
+                tuple(
+                    place[name, squeezes[name](theta - alpha - half) % FULL_TURN]
+                    for (name, _), theta in found.orientations.items()
+                )
+                for half in (Angle(), Angle.from_degrees(180))
+            ]
+            assert known & set(seen)
+
     def test_a_look_names_a_part_of_another_size(self):
         found = RecognitionProblem({"r": RECTANGLE, "small": [(0, 0), (1, 0), (0, 1)]})
         plan = found.plan(1)
