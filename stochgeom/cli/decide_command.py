@@ -6,7 +6,6 @@ import argparse
 import re
 from typing import Any
 
-from stochgeom.cli.decide_sensors import decide_with_sensors
 from stochgeom.cli.decide_text import result_document, result_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
@@ -89,6 +88,8 @@ def run(arguments: argparse.Namespace) -> int:
             where=f"{arguments.file}, key cost",
         )
     if sensors:
+        from stochgeom.cli.decide_sensors import decide_with_sensors
+
         _refuse_for_trees(arguments)
         return decide_with_sensors(
             problem,

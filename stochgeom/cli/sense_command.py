@@ -10,14 +10,9 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_command import read_part
 from stochgeom.cli.progress import Progress
-from stochgeom.cli.sense_text import sense_text
 from stochgeom.errors import InputError
 from stochgeom.io.files import write_whole
 from stochgeom.io.priors import load_prior
-from stochgeom.io.sensing_json import sensing_document
-from stochgeom.sensing.diameter_sensor import LIKELIHOOD_DIGITS
-from stochgeom.sensing.sensing_problem import OrderComparison, SensingProblem
-from stochgeom.sensing.tree_search import NODE_LIMIT
 
 _EPILOG = """\
 A round is a squeeze at a random angle, then moves: squeezes at chosen angles, looks at the sensor;
@@ -74,9 +69,9 @@ def add_parser(commands: Any) -> None:
     )
     parser.add_argument(
         "--node-limit",
-        default=str(NODE_LIMIT),
+        default="1000000",
         metavar="N",
-        help=f"most nodes of the tree of all plans; default {NODE_LIMIT}",
+        help="most nodes of the tree of all plans; default 1000000",
     )
     parser.add_argument(
         "--tree", metavar="FILE", help="also write the plan as a drawing, .svg or .dot"
@@ -88,6 +83,11 @@ def add_parser(commands: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Plan, print, return the exit code."""
+    from stochgeom.cli.sense_text import sense_text
+    from stochgeom.io.sensing_json import sensing_document
+    from stochgeom.sensing.diameter_sensor import LIKELIHOOD_DIGITS
+    from stochgeom.sensing.sensing_problem import SensingProblem
+
     digits = read_digits(arguments.digits)
     horizon = _whole(arguments.horizon, "--horizon")
     if arguments.tree is not None and not arguments.tree.endswith((".svg", ".dot")):
@@ -107,7 +107,7 @@ def run(arguments: argparse.Namespace) -> int:
         "time_limit": float(_whole(arguments.time_limit, "--time-limit")),
         "node_limit": _whole(arguments.node_limit, "--node-limit"),
     }
-    orders: OrderComparison | None = None
+    orders = None
     with Progress("searching plans, first moves done") as progress:
         limits["progress"] = progress.show
         plan = problem.plan(horizon, **limits)

@@ -6,7 +6,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+from stochgeom.cli.main import build_parser
 from stochgeom.sensing.sensing_problem import SensingProblem
+from stochgeom.sensing.tree_search import NODE_LIMIT
 from tests.commands import call
 
 RECTANGLE = "0,0 3,0 3,2 0,2"
@@ -104,6 +106,11 @@ class TestText:
         result = call(capsys, "sense", "--vertices", RECTANGLE, "--prior", str(path))
         assert result.code == 0
         assert "expected cost 2.0000: a round costs 2.0000 and succeeds with 1.0000" in result.out
+
+
+def test_the_default_limit_is_that_of_the_planner():
+    parsed = build_parser().parse_args(["sense", "house"])
+    assert int(parsed.node_limit) == NODE_LIMIT
 
 
 class TestDrawings:
