@@ -10,6 +10,7 @@ from stochgeom.cli.main import build_parser
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.tree_search import NODE_LIMIT
 from tests.commands import call
+from tests.repo.sources import ROOT
 
 RECTANGLE = "0,0 3,0 3,2 0,2"
 
@@ -208,3 +209,27 @@ def test_bad_input_is_one_line_and_code_2(capsys, arguments, message):
     assert result.err.count("\n") == 1
     document = call(capsys, "sense", *arguments, "--json").document
     assert set(document["error"]) == {"type", "message", "where"}
+
+
+class TestTheTableOfOrders:
+    def test_every_cell_stands_in_the_decision(self, capsys):
+        out = call(capsys, "table", "7.2").out
+        page = (ROOT / "docs" / "decisions" / "0021-the-jaw-sensor.md").read_text(encoding="utf-8")
+        rows = [
+            line for line in page.splitlines() if line.startswith(("  rect", "  4gon", "  house"))
+        ]
+        assert len(rows) == 7
+        assert set(rows) <= set(out.splitlines())
+
+    def test_the_document(self, capsys):
+        document = call(capsys, "table", "7.2", "--json", "--digits", "2").document
+        assert len(document["rows"]) == 12
+        assert document["rows"][7] == {
+            "part": "4gon",
+            "bits": 1,
+            "noise": "0.3",
+            "blind": "11.98",
+            "sense_then_act": "7.42",
+            "act_then_sense": "6.30",
+            "mixed": "6.30",
+        }
