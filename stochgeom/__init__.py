@@ -88,7 +88,7 @@ if TYPE_CHECKING:
     from stochgeom.sensing.diameter_sensor import diameter_sensor
     from stochgeom.sensing.one_step import OneStepPlan, one_step_plan
     from stochgeom.sensing.plan_tree import PlanTree
-    from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
+    from stochgeom.sensing.planners import iterative_sensor_plan, plan_for_cost, sensor_plan
     from stochgeom.sensing.recognition import RecognitionProblem
     from stochgeom.sensing.sampling import sampled_sensor, sensor_from_counts
     from stochgeom.sensing.sensing_problem import SensingProblem
@@ -225,6 +225,7 @@ _HOMES = {
     "PlanTree": "sensing.plan_tree",
     "iterative_sensor_plan": "sensing.planners",
     "sensor_plan": "sensing.planners",
+    "plan_for_cost": "sensing.planners",
     "RecognitionProblem": "sensing.recognition",
     "sampled_sensor": "sensing.sampling",
     "sensor_from_counts": "sensing.sampling",
@@ -340,6 +341,7 @@ __all__ = [
     "parse_outline",
     "place_sensor",
     "plan_feeding",
+    "plan_for_cost",
     "plan_transfer",
     "plan_weighing_grasps",
     "planning_problem_of",
