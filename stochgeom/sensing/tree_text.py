@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import count
+from dataclasses import replace
+from itertools import count, groupby
 from typing import Any, Final
 
 from stochgeom.exact.quotients import number_decimal, quotient
 from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense, Wording, mass_of
+
+_MOST_NAMED: Final = 3
+"""Readings that are named one by one where several share a line."""
 
 
 def label_text(label: Any) -> str:
@@ -42,7 +46,19 @@ def reading_text(reading: Any, child: Node, parent: Node, digits: int) -> str:
 
 
 def tree_text(root: Node, words: Wording, digits: int = 4) -> str:
-    """Return a tree as text: a line for each move, and for each reading with its probability."""
+    """Return a tree as text: a line for each move, and for each reading with its probability.
+
+    Neighbouring readings that end in the same decision share a line, and there their probabilities
+    are taken together.
+
+    Examples
+    --------
+    >>> from gmpy2 import mpq
+    >>> half, ends = mpq(1, 2), [Leaf((mpq(k, 8),), "up", mpq(1, 8)) for k in (2, 1, 1)]
+    >>> print(tree_text(Sense((half,), "eye", 0, tuple(zip("xyz", ends))), Wording(), 2))
+    read eye
+      x, y, z (1.00): accept up (0.75)
+    """
     return "\n".join(_lines(root, words, digits, "", ""))
 
 
@@ -51,13 +67,42 @@ def _lines(node: Node, words: Wording, digits: int, lead: str, indent: str) -> I
     if isinstance(node, Act):
         yield from _lines(node.child, words, digits, indent, indent)
     elif isinstance(node, Sense):
-        for reading, child in node.branches:
+        for reading, child in _with_like_ends_joined(node):
             text = f"{indent}  {reading_text(reading, child, node, digits)}"
             if isinstance(child, Leaf):
                 yield f"{text}: {move_text(child, words, digits)}"
             else:
                 yield text
                 yield from _lines(child, words, digits, f"{indent}    ", f"{indent}    ")
+
+
+def _with_like_ends_joined(node: Sense) -> Iterator[tuple[Any, Node]]:
+    """Yield the branches, neighbouring ones that end in the same decision as one."""
+    for decision, grouped in groupby(node.branches, key=_end_of):
+        branches = list(grouped)
+        if decision is None or len(branches) == 1:
+            yield from branches
+            continue
+        leaves = [leaf for _, leaf in branches if isinstance(leaf, Leaf)]
+        weights, gain = leaves[0].weights, leaves[0].gain
+        for leaf in leaves[1:]:
+            weights = tuple(a + b for a, b in zip(weights, leaf.weights, strict=True))
+            gain = gain + leaf.gain
+        yield (
+            _joined([label_text(reading) for reading, _ in branches]),
+            replace(leaves[0], weights=weights, gain=gain),
+        )
+
+
+def _end_of(branch: tuple[Any, Node]) -> tuple[Any, bool] | None:
+    _, node = branch
+    return (node.decision, node.truncated) if isinstance(node, Leaf) else None
+
+
+def _joined(readings: list[str]) -> str:
+    if len(readings) <= _MOST_NAMED:
+        return ", ".join(readings)
+    return f"{readings[0]}, ..., {readings[-1]} [{len(readings)} readings]"
 
 
 def tree_dot(root: Node, words: Wording, digits: int = 4) -> str:

@@ -293,6 +293,25 @@ class TestTrees:
         root = self.tree().root
         assert posterior_of(root.branches[0][1]) == (mpq(2, 3), mpq(1, 3), 0)
 
+    def test_neighbours_that_end_alike_share_a_line(self):
+        """And what they are worth is taken together; readings 3 and 4 lead to v and to u."""
+        problem = PlanningProblem(["u", "v"], ["6/10", "4/10"], ["wait"], [[[1, 0], [0, 1]]])
+        sensor = Sensor(
+            range(5),
+            [["5/6", 0, 0, 0, "1/6"], [0, "1/4", "1/4", "1/4", "1/4"]],
+            states=["u", "v"],
+        )
+        lines = iterative_sensor_plan(problem, sensor, 1).tree.text(2).splitlines()
+        assert lines == [
+            "read sensor",
+            "  0 (0.50): accept u (1.00)",
+            "  1, 2, 3 (0.30): accept v (1.00)",
+            "  4 (0.20): accept u (0.50)",
+        ]
+        four = Sensor(range(5), [[1, 0, 0, 0, 0], [0, *["1/4"] * 4]], states=["u", "v"])
+        text = iterative_sensor_plan(problem, four, 1).tree.text(2)
+        assert text.endswith("\n  1, ..., 4 [4 readings] (0.40): accept v (1.00)")
+
     def test_dot(self):
         assert self.tree().dot(2) == (
             "digraph plan {\n"
