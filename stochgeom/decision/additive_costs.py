@@ -21,6 +21,7 @@ from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices, read_state_costs
 from stochgeom.decision.probabilities import Enclosed
 from stochgeom.errors import CostError
+from stochgeom.exact.angle_base import AngleBase
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.sums import AngleSum
 
@@ -87,6 +88,10 @@ class AdditiveModel(CostModel):
         # A probability and a cost that are both sums of angles have no exact product.
         irrational = any(isinstance(cost, AngleSum) for cost in state_costs)
         self._enclosed = irrational and problem.numbers is NumberKind.ANGLE_SUMS
+        finite = [cost for cost in state_costs if not is_infinite(cost)]
+        self._base = AngleBase(
+            map(AngleSum.of, [*problem.prior, *finite] if self._enclosed else [])
+        )
         self._to_go = CostsToGo(problem, self.prices, state_costs)
 
     def value(self, spent: Any, hyperstate: Vector) -> Any:
@@ -114,7 +119,12 @@ class AdditiveModel(CostModel):
         return Enclosed([], AngleSum.of(value))
 
     def _mean(self, hyperstate: Any, costs: Values) -> Any:
-        return enclosed_mean(hyperstate, costs) if self._enclosed else mean(hyperstate, costs)
+        if not self._enclosed:
+            return mean(hyperstate, costs)
+        shares = [self._base.write(share) for share in hyperstate]
+        return enclosed_mean(
+            shares, tuple(c if is_infinite(c) else self._base.write(AngleSum.of(c)) for c in costs)
+        )
 
     def values(
         self, spent: NDArray[np.float64], hyperstates: NDArray[np.float64]

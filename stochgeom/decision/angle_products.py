@@ -3,7 +3,7 @@
 A probability that is a sum of angles, times another or times a distance, is no sum of angles any
 more. It is expanded over products of two angles, each an enclosed number that is known by its
 angles: two expansions are equal if they are so term by term, and different ones are told apart by
-Arb.
+Arb. Factors written over one `stochgeom.exact.angle_base.AngleBase` hide no relations.
 """
 
 from __future__ import annotations
@@ -64,21 +64,8 @@ def product(first: Any, second: Any, cosine: Cosine | None = None) -> Enclosed:
 
 
 def _terms(value: Any) -> list[tuple[Any, tuple[Angle, ...]]]:
-    """Return the terms of a sum over angles of at most 22.5 degrees.
-
-    Complements to 45 degrees, which symmetric parts are full of, are written by one angle.
-    """
     number = AngleSum.of(value)
-    constant = number.constant
-    gathered: dict[Angle, Any] = {}
-    for q, angle in number.terms:
-        x, y = angle.direction
-        kept, factor = angle, q
-        if y * (x + y) > x * (x - y):  # the angle is larger than its complement
-            kept, factor = Angle(0, (x + y, x - y)), -q
-            constant += q / 8
-        gathered[kept] = gathered.get(kept, 0) + factor
-    return [(constant, ()), *((q, (angle,)) for angle, q in gathered.items() if q)]
+    return [(number.constant, ()), *((q, (angle,)) for q, angle in number.terms)]
 
 
 def _monomial(angles: tuple[Angle, ...], cosine: Cosine | None) -> Callable[[], Ball]:

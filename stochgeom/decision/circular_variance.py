@@ -33,7 +33,8 @@ from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
 from stochgeom.decision.probabilities import Enclosed
 from stochgeom.errors import CostError
-from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.angle_base import AngleBase
+from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, Angle
 from stochgeom.exact.independent_sums import RootSum
 from stochgeom.exact.sums import AngleSum
 
@@ -203,6 +204,8 @@ _OF_TWELFTHS: Final = {
 
 def _enclosed(possible: list[tuple[Angle, Any]]) -> Enclosed:
     """Write V over products of the angles in the probabilities and of cosines."""
+    base = AngleBase([AngleSum.of(p) for _, p in possible])
+    possible = [(angle, base.write(AngleSum.of(p))) for angle, p in possible]
     total = Enclosed([])
     for (theta, p), (phi, q) in combinations(possible, 2):
         apart = (theta - phi) % FULL_TURN
@@ -212,6 +215,9 @@ def _enclosed(possible: list[tuple[Angle, Any]]) -> Enclosed:
         if is_square(radicand):
             total += weight.scaled(1 - coefficient * isqrt(radicand))
         else:
+            # cos(180 - x) = -cos x: opposite orientations cancel term by term.
+            obtuse = apart > QUARTER_TURN
+            cosine = Cosine(HALF_TURN - apart if obtuse else apart)
             total += weight
-            total += product(p, q, Cosine(apart)).scaled(-2)
+            total += product(p, q, cosine).scaled(2 if obtuse else -2)
     return total

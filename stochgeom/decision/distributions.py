@@ -12,6 +12,8 @@ from gmpy2 import mpq
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import Number, NumberKind, numbered, read_number
 from stochgeom.errors import NotStochasticError, ShapeMismatchError
+from stochgeom.exact.angle_base import AngleBase
+from stochgeom.exact.sums import AngleSum
 
 ROW_TOLERANCE: Final = 1e-9
 """How far the sum of a float distribution may be from 1. Exact ones sum to exactly 1."""
@@ -143,4 +145,7 @@ def distribution(values: list[Any], kind: NumberKind, place: str) -> list[Number
         raise NotStochasticError(
             f"the sum is {total}; accepted: probabilities of sum 1", where=place
         )
+    if kind is NumberKind.ANGLE_SUMS:
+        base = AngleBase(map(AngleSum.of, shares))  # then equal sums of them look equal, too
+        return [base.write(AngleSum.of(share)) for share in shares]
     return shares

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import pytest
@@ -22,6 +23,7 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.independent_sums import LogSum, RootSum
 from stochgeom.exact.sums import AngleSum
 from stochgeom.feeding.planning_problems import planning_problem_of
+from stochgeom.geometry.part import Part
 from stochgeom.thesis.parts import catalogue_part
 
 # Three bins; "push" moves a part one bin on, and fails one time in four.
@@ -115,6 +117,21 @@ def test_a_mean_across_the_cut_of_the_circle():
     turned = [Angle.from_degrees(170), Angle.from_degrees(190)]
     half = [mpq(1, 2), mpq(1, 2)]
     assert circular_variance(angles, half).compare(circular_variance(turned, half)) == 0
+
+
+def test_variance_of_a_part():
+    # Squeezes cannot tell half a turn: every hyperstate is balanced, whatever its probabilities.
+    found = planning_problem_of(Part([(0, 0), (7, 0), (9, 4), (3, 6), (-1, 3)]))
+    model = VarianceCost(found.orientations).on(found.problem)
+    for plan in ([], ["45.0000"], ["45.0000", "45.0000"]):
+        assert model.of_plan(plan).compare(1) == 0
+    pushed = planning_problem_of(catalogue_part("4gon"), "push-grasp")
+    model = VarianceCost(pushed.orientations).on(pushed.problem)
+    for plan in ([], pushed.problem.actions[2:3], pushed.problem.actions[5:7]):
+        after = pushed.problem.run(plan)
+        vectors = [cmath.exp(1j * angle.to_float()) for angle in pushed.orientations.values()]
+        mean = sum(float(p) * u for p, u in zip(after, vectors, strict=True))
+        assert abs(float(model.of_plan(plan)) - (1 - abs(mean) ** 2)) < 1e-12
 
 
 def test_distance():
