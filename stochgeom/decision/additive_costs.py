@@ -89,9 +89,8 @@ class AdditiveModel(CostModel):
         irrational = any(isinstance(cost, AngleSum) for cost in state_costs)
         self._enclosed = irrational and problem.numbers is NumberKind.ANGLE_SUMS
         finite = [cost for cost in state_costs if not is_infinite(cost)]
-        self._base = AngleBase(
-            map(AngleSum.of, [*problem.prior, *finite] if self._enclosed else [])
-        )
+        factors = [*problem.prior, *finite] if self._enclosed else []
+        self._base = AngleBase(map(AngleSum.of, factors))
         self._to_go = CostsToGo(problem, self.prices, state_costs)
 
     def value(self, spent: Any, hyperstate: Vector) -> Any:

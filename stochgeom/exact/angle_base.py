@@ -7,10 +7,10 @@ another though nobody can see it from the terms; `AngleSum` decides that, but pr
 
 A direction z is a Gaussian integer. Over a coprime base of all directions and their conjugates
 (`stochgeom.exact.gaussian`) z is a unit times a product of powers, so that arg z is a multiple of
-an eighth of a turn plus whole multiples of the arguments of the base. Of two conjugate elements one
-is enough, since their arguments are opposite; an element that is its own conjugate up to a unit has a
-multiple of an eighth of a turn. What is left is linearly independent, together with a full turn: a
-relation would make a product of powers of coprime elements and their conjugates a unit.
+an eighth of a turn plus whole multiples of the arguments of the base. Of two conjugate elements
+one is enough, since their arguments are opposite; an element that is its own conjugate up to a unit
+has a multiple of an eighth of a turn. What is left is linearly independent, together with a full
+turn: a relation would make a product of powers of coprime elements and their conjugates a unit.
 """
 
 from __future__ import annotations
