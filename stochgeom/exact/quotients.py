@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, final
 from gmpy2 import mpq
 
 from stochgeom.errors import InputError, PrecisionLimitError
+from stochgeom.exact.angle_base import AngleBase
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import START_BITS, Ball, ball_sign, certified_float, working_precision
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
-from stochgeom.exact.independent_angles import Independent, over_independent
 from stochgeom.exact.predicates import sign
 from stochgeom.exact.scalars import from_float_exact
 from stochgeom.exact.sums import AngleSum
@@ -185,7 +185,8 @@ def sign_of_products(a: Any, b: Any, c: Any, d: Any) -> int:
 
 def _same_products(sums: list[AngleSum]) -> bool:
     """Tell whether a b and c d are the same polynomial in independent angles."""
-    a, b, c, d = over_independent(sums)
+    base = AngleBase(sums)
+    a, b, c, d = map(base.write, sums)
     left, right = _product(a, b), _product(c, d)
     return all(left.get(key, 0) == right.get(key, 0) for key in {*left, *right})
 
@@ -237,11 +238,11 @@ def number_decimal(value: Any, digits: int = 4) -> str:
     return str(value.decimal(digits))
 
 
-def _product(first: Independent, second: Independent) -> _Monomials:
+def _product(first: AngleSum, second: AngleSum) -> _Monomials:
     """Return the product, expanded: coefficients by the angles in a monomial."""
     result: _Monomials = {}
-    for a, p in ((None, first[0]), *first[1].items()):
-        for b, q in ((None, second[0]), *second[1].items()):
+    for p, a in ((first.constant, None), *first.terms):
+        for q, b in ((second.constant, None), *second.terms):
             # A square is told from its root, which a set would not do.
             key = frozenset([(a, 2)]) if a == b and a is not None else frozenset([a, b])
             result[key] = result.get(key, mpq(0)) + p * q

@@ -1,4 +1,4 @@
-"""Quotients of sums of angles, and independent angles."""
+"""Quotients of sums of angles, and the order of their products."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from stochgeom.errors import InputError, PrecisionLimitError
 from stochgeom.exact import quotients
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.independent_angles import over_independent
 from stochgeom.exact.quotients import (
     SumQuotient,
     number_decimal,
@@ -105,30 +104,7 @@ sums = st.lists(st.tuples(ratios, directions), max_size=3).map(
 FEW = settings(max_examples=min(200, settings.default.max_examples))
 
 
-class TestIndependentAngles:
-    @FEW
-    @given(st.lists(sums, min_size=1, max_size=4))
-    def test_values_are_kept(self, given_sums):
-        for before, (constant, factors) in zip(
-            given_sums, over_independent(given_sums), strict=True
-        ):
-            assert AngleSum(constant, [(q, a) for a, q in factors.items()]) == before
-
-    @FEW
-    @given(st.lists(sums, min_size=1, max_size=4))
-    def test_zero_has_no_terms(self, given_sums):
-        found = over_independent([*given_sums, *(s - s for s in given_sums)])
-        for each, (constant, factors) in zip(
-            [*given_sums, *(s - s for s in given_sums)], found, strict=True
-        ):
-            assert (each.sign() == 0) == (constant == 0 and not factors)
-
-    def test_machin(self):
-        angles = [AngleSum(0, [(1, Angle(0, d))]) for d in ((5, 1), (239, 1))]
-        first, second = over_independent(angles)
-        assert first == (0, {Angle(0, (5, 1)): 1})
-        assert second == (mpq(-1, 8), {Angle(0, (5, 1)): 4})
-
+class TestProducts:
     @FEW
     @given(sums, sums, sums, sums)
     def test_the_order_of_products_is_that_of_floats(self, a, b, c, d):
