@@ -10,6 +10,7 @@ from stochgeom.cli.decide_text import result_document, result_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
+from stochgeom.decision.number_kinds import as_float
 from stochgeom.decision.plan_results import NODE_LIMIT
 from stochgeom.decision.plan_search import METHODS, find_plan
 from stochgeom.errors import FormatError, InputError
@@ -80,7 +81,11 @@ def run(arguments: argparse.Namespace) -> int:
     horizon = None if arguments.horizon is None else _whole(arguments.horizon, "--horizon")
     node_limit = _whole(arguments.node_limit, "--node-limit")
     seconds = arguments.time_limit
-    time_limit = None if seconds is None else float(parse_rational(seconds, where="--time-limit"))
+    time_limit = (
+        None
+        if seconds is None
+        else as_float(parse_rational(seconds, where="--time-limit"), "--time-limit")
+    )
     problem, sensors = load_sensed_problem(arguments.file)
     if problem.cost is None:
         raise FormatError(
@@ -109,7 +114,7 @@ def run(arguments: argparse.Namespace) -> int:
             method=arguments.method,
             shortest=0 if arguments.allow_empty else 1,
             all_optimal=arguments.all,
-            threshold=_threshold(arguments.threshold, exact=problem.exact),
+            threshold=_number(arguments.threshold, "--threshold", exact=problem.exact),
             node_limit=node_limit,
             time_limit=time_limit,
             progress=progress.show,
@@ -131,11 +136,11 @@ def _refuse_for_trees(arguments: argparse.Namespace) -> None:
             )
 
 
-def _threshold(text: str | None, *, exact: bool) -> Any:
+def _number(text: str | None, where: str, *, exact: bool) -> Any:
     if text is None:
         return None
-    value = parse_rational(text, where="--threshold")
-    return value if exact else float(value)
+    value = parse_rational(text, where=where)
+    return value if exact else as_float(value, where)
 
 
 def _whole(text: str, where: str) -> int:

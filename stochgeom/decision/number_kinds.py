@@ -18,7 +18,7 @@ from typing import Any, Final, TypeAlias, final
 
 from gmpy2 import mpq, mpz
 
-from stochgeom.errors import MixedNumbersError, NumberError
+from stochgeom.errors import MixedNumbersError, NumberError, NumberLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import rational
@@ -132,15 +132,25 @@ def numbered(values: Iterable[Any], place: str) -> Iterator[Entry]:
         yield value, f"{place}, entry {k}"
 
 
-def as_float(value: Number) -> float:
-    """Return a number of any kind as the nearest float, or one beside it.
+def as_float(value: mpq, where: str) -> float:
+    """Return a rational number as a float.
+
+    Raises
+    ------
+    NumberLimitError
+        If it is beyond the largest float.
 
     Examples
     --------
-    >>> as_float(mpq(1, 3))
+    >>> as_float(mpq(1, 3), "entry 0")
     0.3333333333333333
     """
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise NumberLimitError(
+            "the number is too large for a float; accepted: below 1.79e308", where=where
+        ) from None
 
 
 def _is_float(value: Any) -> bool:

@@ -23,7 +23,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from stochgeom.decision.number_kinds import NumberKind
+from stochgeom.decision.number_kinds import NumberKind, as_float
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import FormatError, ProblemError, StochgeomError
 from stochgeom.exact.angles import Angle
@@ -129,7 +129,7 @@ class NumberReader:
         if not isinstance(value, str):
             raise FormatError(f"{kind_of(value)}; accepted: a number, or its text", where=place)
         exact = parse_rational(value, where=place)
-        return float(exact) if self._is_float else exact
+        return as_float(exact, place) if self._is_float else exact
 
     def row(self, value: Any, place: str) -> Any:
         """Return a list of numbers, or numbers by label."""

@@ -195,6 +195,9 @@ def test_a_pomdp_file_is_written(capsys, file, tmp_path):
         ({"schema": "stochgeom/plan/1"}, "schema: the text 'stochgeom/plan/1'; accepted"),
         ({"numbers": "real"}, "numbers: the text 'real'; accepted: exact, float"),
         ({"sensor": {}}, "key 'sensor': accepted keys: schema"),
+        ({"numbers": "float", "prior": ["1e400", 0]}, "prior, entry 0: the number is too large"),
+        ({"prior": [{"angles": [["1"]]}, "1/2"]}, "prior, entry 0, angle 0: a list of 1; accept"),
+        ({"prior": [{"angle": []}, 1]}, "prior, entry 0: accepted: an object with constant and"),
         ({"name": 7}, None),
     ],
 )
@@ -220,6 +223,7 @@ def test_bad_problems_are_one_line_and_exit_code_2(capsys, file, changes, messag
         (["--horizon", "2", "--time-limit", "0"], "0.0 seconds; accepted"),
         (["--horizon", "2", "--time-limit", "soon"], "--time-limit: 'soon' is not a number"),
         (["--horizon", "30", "--method", "exhaustive"], "make 2147483646 plans of at most 30"),
+        (["--horizon", "2", "--time-limit", "1e400"], "--time-limit: the number is too large"),
         (["--horizon", "2", "--threshold", "low"], "--threshold: 'low' is not a number"),
         (["--horizon", "2", "--digits", "-1"], "--digits"),
     ],
