@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import argparse
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from stochgeom.cli.decide_text import result_document, result_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
-from stochgeom.decision.number_kinds import as_float
-from stochgeom.decision.plan_results import NODE_LIMIT
-from stochgeom.decision.plan_search import METHODS, find_plan
+from stochgeom.decision.plan_results import METHODS, NODE_LIMIT
 from stochgeom.errors import FormatError, InputError
 from stochgeom.exact.scalars import parse_rational
-from stochgeom.io.files import write_whole
-from stochgeom.io.pomdp_file import write_pomdp
-from stochgeom.io.sensors_json import load_sensed_problem
+
+if TYPE_CHECKING:
+    from stochgeom.decision.planning_problem import PlanningProblem
 
 _EPILOG = """\
 PROBLEM.json holds states, a prior, actions, a stochastic matrix for each, and a cost:
@@ -77,15 +74,13 @@ def add_parser(commands: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Search, print, return the exit code."""
+    # The searches are loaded here: other commands do not wait for them.
+    from stochgeom.io.sensors_json import load_sensed_problem
+
     digits = read_digits(arguments.digits)
     horizon = None if arguments.horizon is None else _whole(arguments.horizon, "--horizon")
     node_limit = _whole(arguments.node_limit, "--node-limit")
-    seconds = arguments.time_limit
-    time_limit = (
-        None
-        if seconds is None
-        else as_float(parse_rational(seconds, where="--time-limit"), "--time-limit")
-    )
+    time_limit = _number(arguments.time_limit, "--time-limit", exact=False)
     problem, sensors = load_sensed_problem(arguments.file)
     if problem.cost is None:
         raise FormatError(
@@ -105,6 +100,22 @@ def run(arguments: argparse.Namespace) -> int:
             node_limit=node_limit,
             time_limit=time_limit,
         )
+    return _decide(arguments, problem, horizon, digits, node_limit, time_limit)
+
+
+def _decide(
+    arguments: argparse.Namespace,
+    problem: PlanningProblem,
+    horizon: int | None,
+    digits: int,
+    node_limit: int,
+    time_limit: float | None,
+) -> int:
+    from stochgeom.cli.decide_text import result_document, result_text
+    from stochgeom.decision.plan_search import find_plan
+    from stochgeom.io.files import write_whole
+    from stochgeom.io.pomdp_file import write_pomdp
+
     if arguments.pomdp is not None:
         write_whole(arguments.pomdp, write_pomdp(problem))
     with Progress("search: share of the limit") as progress:
@@ -139,6 +150,8 @@ def _refuse_for_trees(arguments: argparse.Namespace) -> None:
 def _number(text: str | None, where: str, *, exact: bool) -> Any:
     if text is None:
         return None
+    from stochgeom.decision.number_kinds import as_float
+
     value = parse_rational(text, where=where)
     return value if exact else as_float(value, where)
 

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from stochgeom.decision.plan_costs import CostModel
     from stochgeom.decision.planning_problem import PlanningProblem, Vector
 
+METHODS: Final = ("best-first", "breadth-first", "exhaustive")
+"""The roads to a plan, by name; see `stochgeom.decision.plan_search`."""
+
 NODE_LIMIT: Final = 1_000_000
 """Nodes that a search makes at most, unless told otherwise."""
 

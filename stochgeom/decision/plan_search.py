@@ -15,18 +15,15 @@ says whether it is proven.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, final
+from typing import Any, final
 
 from stochgeom.decision.branch_and_bound import BestFirst
 from stochgeom.decision.exhaustive_plans import count_plans, exhaustive_search
 from stochgeom.decision.plan_costs import CostModel, PlanCost
-from stochgeom.decision.plan_results import NODE_LIMIT, Limits, PlanResult, model_of
+from stochgeom.decision.plan_results import METHODS, NODE_LIMIT, Limits, PlanResult, model_of
 from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.decision.search import Level, SearchResult, breadth_first
 from stochgeom.errors import InputError
-
-METHODS: Final = ("best-first", "breadth-first", "exhaustive")
-"""The roads, by name."""
 
 
 def find_plan(

@@ -15,7 +15,8 @@ from stochgeom.decision.additive_costs import AdditiveCost
 from stochgeom.decision.circular_variance import VarianceCost
 from stochgeom.decision.entropy import EntropyCost
 from stochgeom.decision.iterative_costs import IterativeCost
-from stochgeom.decision.plan_search import METHODS, find_plan
+from stochgeom.decision.plan_results import METHODS
+from stochgeom.decision.plan_search import find_plan
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.random_search import random_plan
 from stochgeom.decision.worst_case_costs import MinimaxCost

@@ -9,7 +9,8 @@ from stochgeom.decision.additive_costs import AdditiveCost
 from stochgeom.decision.entropy import EntropyCost
 from stochgeom.decision.goal_costs import GoalCost, GuaranteedCost
 from stochgeom.decision.iterative_costs import IterativeCost
-from stochgeom.decision.plan_search import METHODS, best_action, find_plan
+from stochgeom.decision.plan_results import METHODS
+from stochgeom.decision.plan_search import best_action, find_plan
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.worst_case_costs import MinimaxCost
 
