@@ -50,4 +50,5 @@ $(VENV)/.installed: pyproject.toml
 $(VENV)/.installed-dev: $(VENV)/.installed
 	@echo 'Adding the development tools...' >&2
 	@$(PIP) --editable . --group dev
+	@$(PIP) --only-binary stormpy --group oracles || echo 'No stormpy here: its tests are skipped' >&2
 	@touch $@

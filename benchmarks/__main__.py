@@ -25,6 +25,8 @@ NAMES = (
     "actions_and_priors",
     "over_fields",
     "grasping",
+    "decision",
+    "sensor_trees",
 )
 
 

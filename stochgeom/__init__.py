@@ -18,15 +18,34 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    from stochgeom.decision.additive_costs import AdditiveCost, distance_cost
     from stochgeom.decision.callable_prior import CallablePrior
+    from stochgeom.decision.circular_variance import VarianceCost, circular_variance
+    from stochgeom.decision.decision_rules import DecisionProblem
     from stochgeom.decision.density_priors import VonMises, WrappedNormal
     from stochgeom.decision.discrete_prior import DiscretePrior
+    from stochgeom.decision.entropy import EntropyCost, entropy, information
+    from stochgeom.decision.exhaustive_plans import every_plan
+    from stochgeom.decision.goal_costs import GoalCost, GuaranteedCost
     from stochgeom.decision.hyperstates import Hyperstate
+    from stochgeom.decision.infinity import INFINITE
+    from stochgeom.decision.iterative_costs import IterativeCost
     from stochgeom.decision.mixture_prior import MixturePrior
+    from stochgeom.decision.perfect_information import ObservedPolicy, observed_policy
     from stochgeom.decision.piecewise_prior import PiecewisePrior
+    from stochgeom.decision.plan_costs import CostModel, PlanCost
+    from stochgeom.decision.plan_results import PlanResult
+    from stochgeom.decision.plan_search import best_action, find_plan
+    from stochgeom.decision.planning_problem import PlanningProblem
     from stochgeom.decision.prior_estimates import PriorEstimate, cells_between
     from stochgeom.decision.priors import Prior, Window, uniform_prior
+    from stochgeom.decision.random_search import random_plan
+    from stochgeom.decision.randomised_rules import RandomisedRule, randomised_minimax
     from stochgeom.decision.rejections import Observation, Rejections
+    from stochgeom.decision.rounds import Rounds
+    from stochgeom.decision.two_argmins import TwoArgmins, two_argmins
+    from stochgeom.decision.uniform_difference import cyclic_difference, simulated_difference
+    from stochgeom.decision.worst_case_costs import MinimaxCost
     from stochgeom.errors import StochgeomError
     from stochgeom.exact.algebraic import Algebraic
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
@@ -34,7 +53,9 @@ if TYPE_CHECKING:
     from stochgeom.exact.cells import CellSet
     from stochgeom.exact.forms import sign_of_form
     from stochgeom.exact.halves import HalfAngle
+    from stochgeom.exact.independent_sums import LogSum, RootSum
     from stochgeom.exact.intervals import Interval
+    from stochgeom.exact.quotients import SumQuotient
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.sums import AngleSum
@@ -47,6 +68,7 @@ if TYPE_CHECKING:
     from stochgeom.feeding.nearby_courses import PartErrorReport
     from stochgeom.feeding.part_errors import tolerance_of
     from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
+    from stochgeom.feeding.planning_problems import OrientingProblem, planning_problem_of
     from stochgeom.feeding.plans import FeedingPlan
     from stochgeom.feeding.preimages import Preimage, Preimages, preimages
     from stochgeom.feeding.problem import FeedingProblem
@@ -71,6 +93,29 @@ if TYPE_CHECKING:
     from stochgeom.grasping.uncertain_grasps import UncertainGrasps
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
+    from stochgeom.io.pomdp_file import write_pomdp
+    from stochgeom.io.problem_json import load_problem, problem_document
+    from stochgeom.sensing.calibration import (
+        CalibrationProblem,
+        calibration_problem,
+        expected_entropy,
+    )
+    from stochgeom.sensing.decisions import Decisions
+    from stochgeom.sensing.diameter_sensor import diameter_sensor
+    from stochgeom.sensing.one_step import OneStepPlan, one_step_plan
+    from stochgeom.sensing.plan_tree import PlanTree
+    from stochgeom.sensing.planners import iterative_sensor_plan, plan_for_cost, sensor_plan
+    from stochgeom.sensing.recognition import RecognitionProblem
+    from stochgeom.sensing.sampling import sampled_sensor, sensor_from_counts
+    from stochgeom.sensing.sensing_problem import SensingProblem
+    from stochgeom.sensing.sensor_design import (
+        choose_bits,
+        compare_sensors,
+        fuse_sensors,
+        place_sensor,
+    )
+    from stochgeom.sensing.sensor_plan import SensorPlan
+    from stochgeom.sensing.sensors import Sensor
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
     from stochgeom.transfer.push import push_function
     from stochgeom.transfer.push_grasp import push_grasp_function
@@ -79,6 +124,43 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "Algebraic": "exact.algebraic",
+    "AdditiveCost": "decision.additive_costs",
+    "CostModel": "decision.plan_costs",
+    "DecisionProblem": "decision.decision_rules",
+    "EntropyCost": "decision.entropy",
+    "GoalCost": "decision.goal_costs",
+    "GuaranteedCost": "decision.goal_costs",
+    "INFINITE": "decision.infinity",
+    "IterativeCost": "decision.iterative_costs",
+    "LogSum": "exact.independent_sums",
+    "MinimaxCost": "decision.worst_case_costs",
+    "ObservedPolicy": "decision.perfect_information",
+    "OrientingProblem": "feeding.planning_problems",
+    "PlanCost": "decision.plan_costs",
+    "PlanResult": "decision.plan_results",
+    "PlanningProblem": "decision.planning_problem",
+    "RandomisedRule": "decision.randomised_rules",
+    "RootSum": "exact.independent_sums",
+    "Rounds": "decision.rounds",
+    "TwoArgmins": "decision.two_argmins",
+    "VarianceCost": "decision.circular_variance",
+    "best_action": "decision.plan_search",
+    "circular_variance": "decision.circular_variance",
+    "cyclic_difference": "decision.uniform_difference",
+    "distance_cost": "decision.additive_costs",
+    "entropy": "decision.entropy",
+    "every_plan": "decision.exhaustive_plans",
+    "find_plan": "decision.plan_search",
+    "information": "decision.entropy",
+    "load_problem": "io.problem_json",
+    "observed_policy": "decision.perfect_information",
+    "planning_problem_of": "feeding.planning_problems",
+    "problem_document": "io.problem_json",
+    "random_plan": "decision.random_search",
+    "randomised_minimax": "decision.randomised_rules",
+    "simulated_difference": "decision.uniform_difference",
+    "two_argmins": "decision.two_argmins",
+    "write_pomdp": "io.pomdp_file",
     "AngleSum": "exact.sums",
     "exact_scalar": "exact.surds",
     "CallablePrior": "decision.callable_prior",
@@ -170,6 +252,28 @@ _HOMES = {
     "pushing_bound": "grasping.pushing_model",
     "pushing_bounds": "grasping.pushing_model",
     "regular_bound": "grasping.regular",
+    "SumQuotient": "exact.quotients",
+    "CalibrationProblem": "sensing.calibration",
+    "calibration_problem": "sensing.calibration",
+    "expected_entropy": "sensing.calibration",
+    "Decisions": "sensing.decisions",
+    "diameter_sensor": "sensing.diameter_sensor",
+    "OneStepPlan": "sensing.one_step",
+    "one_step_plan": "sensing.one_step",
+    "PlanTree": "sensing.plan_tree",
+    "iterative_sensor_plan": "sensing.planners",
+    "sensor_plan": "sensing.planners",
+    "plan_for_cost": "sensing.planners",
+    "RecognitionProblem": "sensing.recognition",
+    "sampled_sensor": "sensing.sampling",
+    "sensor_from_counts": "sensing.sampling",
+    "SensingProblem": "sensing.sensing_problem",
+    "choose_bits": "sensing.sensor_design",
+    "compare_sensors": "sensing.sensor_design",
+    "fuse_sensors": "sensing.sensor_design",
+    "place_sensor": "sensing.sensor_design",
+    "SensorPlan": "sensing.sensor_plan",
+    "Sensor": "sensing.sensors",
 }
 
 __all__ = [
@@ -177,40 +281,59 @@ __all__ = [
     "FAMILIES",
     "FULL_TURN",
     "HALF_TURN",
+    "INFINITE",
     "QUARTER_TURN",
     "ZERO",
     "Action",
+    "AdditiveCost",
     "Algebraic",
     "Angle",
     "AngleSum",
     "AngleVector",
     "Arc",
+    "CalibrationProblem",
     "CallablePrior",
     "CellSet",
     "ClosedArc",
     "ConvexHull",
+    "CostModel",
+    "DecisionProblem",
+    "Decisions",
     "DiameterFunction",
     "DiscretePrior",
+    "EntropyCost",
     "ErrorBound",
     "FeedingPlan",
     "FeedingProblem",
     "Friction",
     "FrictionLimit",
+    "GoalCost",
     "GraspDiagram",
     "GraspReport",
     "GraspTolerance",
     "GuaranteedBound",
+    "GuaranteedCost",
     "HalfAngle",
     "Hyperstate",
     "Interval",
+    "IterativeCost",
     "Jaw",
+    "LogSum",
+    "MinimaxCost",
     "MixturePrior",
     "Motion",
     "Observation",
+    "ObservedPolicy",
+    "OneStepPlan",
+    "OrientingProblem",
     "Part",
     "PartErrorReport",
     "PiecewisePrior",
+    "PlanCost",
     "PlanReport",
+    "PlanResult",
+    "PlanTree",
+    "PlanningProblem",
     "Preimage",
     "Preimages",
     "Prior",
@@ -219,52 +342,92 @@ __all__ = [
     "PushingBound",
     "RadiusFunction",
     "RadiusPiece",
+    "RandomisedRule",
+    "RecognitionProblem",
     "Rejections",
+    "RootSum",
+    "Rounds",
+    "SensingProblem",
+    "Sensor",
+    "SensorPlan",
     "Sinusoid",
     "SqueezeStability",
     "StableGrasp",
     "StepFunction",
     "StochgeomError",
+    "SumQuotient",
     "TurnRatio",
+    "TwoArgmins",
     "UncertainGrasps",
+    "VarianceCost",
     "VonMises",
     "Window",
     "WrappedNormal",
     "antipodal_pairs",
+    "best_action",
+    "calibration_problem",
     "catalogue_names",
     "catalogue_part",
     "cells_between",
     "check_claim",
+    "choose_bits",
+    "circular_variance",
+    "compare_sensors",
     "convex_hull",
+    "cyclic_difference",
     "density_after_push",
+    "diameter_sensor",
+    "distance_cost",
+    "entropy",
+    "every_plan",
     "exact_scalar",
+    "expected_entropy",
+    "find_plan",
     "from_float_exact",
     "from_float_shortest",
+    "fuse_sensors",
+    "information",
+    "iterative_sensor_plan",
     "load_part",
+    "load_problem",
     "most_stable_grasps",
+    "observed_policy",
+    "one_step_plan",
     "orient_up_to_symmetry",
     "parse_angles",
     "parse_outline",
+    "place_sensor",
     "plan_feeding",
+    "plan_for_cost",
     "plan_transfer",
     "plan_weighing_grasps",
+    "planning_problem_of",
     "preimages",
+    "problem_document",
     "push_function",
     "push_grasp_function",
     "pushing_bound",
     "pushing_bounds",
+    "random_plan",
+    "randomised_minimax",
     "rational",
     "read_outline",
     "regular_bound",
+    "sampled_sensor",
+    "sensor_from_counts",
+    "sensor_plan",
     "sign_of_form",
+    "simulated_difference",
     "squeeze_function",
     "stability_costs",
     "stable_grasps",
     "tolerance_of",
+    "two_argmins",
     "uniform_prior",
     "union_arcs",
     "union_measure",
     "verify_plan",
+    "write_pomdp",
 ]
 
 

@@ -153,6 +153,51 @@ class VerificationError(StochgeomError):
     """A plan does not do what it claims (exit code 1 on the command line)."""
 
 
+# --- planning problems ---------------------------------------------------------------------------
+
+
+class ProblemError(InputError):
+    """A planning problem, a cost or a decision rule does not fit together."""
+
+
+class NotStochasticError(ProblemError):
+    """A prior or a row of a matrix is no probability distribution."""
+
+
+class ShapeMismatchError(ProblemError):
+    """A vector, a matrix or a table does not have one entry for each label."""
+
+
+class UnknownLabelError(ProblemError, KeyError):
+    """No state, action or reading of a problem has that label."""
+
+    __str__ = Exception.__str__  # that of KeyError would quote the whole message
+
+
+class DuplicateLabelError(ProblemError):
+    """Two states, actions or readings of a problem have the same label."""
+
+
+class EmptyProblemError(ProblemError):
+    """A planning problem has no state or no action."""
+
+
+class MixedNumbersError(ProblemError, NumberError):
+    """Floats and exact numbers stand in one planning problem."""
+
+
+class NodeLimitError(InputError):
+    """A search would make more nodes than its limit allows."""
+
+
+class SensorError(ProblemError):
+    """A sensor, its cost or its noise is not acceptable."""
+
+
+class ImpossibleReadingError(SensorError):
+    """A reading has probability zero, so that it has no posterior."""
+
+
 # --- reading and writing -------------------------------------------------------------------------
 
 

@@ -13,6 +13,7 @@ from math import gcd
 from gmpy2 import mpq
 from hypothesis import strategies as st
 
+from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.errors import InvalidPartError
 from stochgeom.exact.algebraic import Algebraic
 from stochgeom.exact.algebraic_directions import unity_direction
@@ -518,3 +519,83 @@ def cell_sets(draw: st.DrawFn) -> CellSet:
     flags = st.lists(st.booleans(), min_size=len(places), max_size=len(places))
     arcs = draw(flags) or [draw(st.booleans())]
     return CellSet([Angle.from_degrees(30 * k) for k in places], draw(flags), arcs)
+
+
+# --- planning problems ---------------------------------------------------------------------------
+
+
+@st.composite
+def distributions(draw: st.DrawFn, size: int) -> list[Fraction]:
+    """Probabilities of sum 1 with small denominators, many of them 0 or equal."""
+    counts = draw(st.lists(st.sampled_from([0, 0, 1, 1, 2, 3]), min_size=size, max_size=size))
+    if not any(counts):
+        counts[draw(st.integers(0, size - 1))] = 1
+    return [Fraction(count, sum(counts)) for count in counts]
+
+
+@st.composite
+def problem_tables(
+    draw: st.DrawFn, *, states: int = 4, actions: int = 3
+) -> tuple[list[Fraction], list[list[list[Fraction]]]]:
+    """A prior and stochastic matrices; some actions are deterministic, some are alike."""
+    n = draw(st.integers(1, states))
+    m = draw(st.integers(1, actions))
+    tables = []
+    for _ in range(m):
+        if draw(st.booleans()):
+            targets = draw(st.lists(st.integers(0, n - 1), min_size=n, max_size=n))
+            tables.append([[Fraction(j == target) for j in range(n)] for target in targets])
+        else:
+            tables.append([draw(distributions(n)) for _ in range(n)])
+    return draw(distributions(n)), tables
+
+
+action_prices = st.sampled_from([0, 0, Fraction(1, 8), Fraction(1, 2), 1, 2])
+"""Prices of actions: free ones and equal ones among them."""
+
+state_costs = st.sampled_from([0, 0, 1, 1, 2, Fraction(-1, 2), Fraction(7, 3), math.inf])
+"""Costs of states: equal, negative and infinite ones among them."""
+
+
+@st.composite
+def plan_cases(draw: st.DrawFn, kind: str) -> tuple[tuple, str, list, object]:
+    """Tables, a kind of cost, the prices of the actions, and what else the cost needs.
+
+    That is a cost for each state, or of an iterative cost a goal (None: any) and the price of the
+    test.
+    """
+    tables = draw(problem_tables())
+    n, m = len(tables[0]), len(tables[1])
+    prices = draw(st.lists(action_prices, min_size=m, max_size=m))
+    if kind == "iterative":
+        goal = draw(st.none() | st.sets(st.integers(0, n - 1), min_size=1))
+        return tables, kind, prices, (goal, draw(st.sampled_from([0, 1, Fraction(3, 2)])))
+    return tables, kind, prices, draw(st.lists(state_costs, min_size=n, max_size=n))
+
+
+@st.composite
+def decision_problems(draw: st.DrawFn) -> tuple[DecisionProblem, list[Fraction]]:
+    """Decision problems of up to 3 states, readings and actions, with a prior; losses often tie."""
+    n, r, m = (draw(st.integers(1, 3)) for _ in range(3))
+    likelihood = [draw(distributions(r)) for _ in range(n)]
+    losses = st.lists(st.integers(-2, 3), min_size=m, max_size=m)
+    loss = [draw(losses) for _ in range(n)]
+    problem = DecisionProblem(range(n), range(r), range(m), likelihood, loss)
+    return problem, draw(distributions(n))
+
+
+# --- sensors -------------------------------------------------------------------------------------
+
+
+@st.composite
+def likelihoods(draw: st.DrawFn, states: int, *, readings: int = 3) -> list[list[Fraction]]:
+    """A row of reading probabilities for each state; half of the tables are without noise."""
+    count = draw(st.integers(1, readings))
+    if draw(st.booleans()):
+        seen = draw(st.lists(st.integers(0, count - 1), min_size=states, max_size=states))
+        return [[Fraction(k == x) for k in range(count)] for x in seen]
+    return [draw(distributions(count)) for _ in range(states)]
+
+
+look_prices = st.sampled_from([0, 0, 0, Fraction(1, 4), 1])
+"""Costs of a look; most are free."""

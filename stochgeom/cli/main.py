@@ -17,9 +17,11 @@ from typing import Any, NoReturn
 import stochgeom.errors as errors
 from stochgeom.cli import (
     audit_command,
+    decide_command,
     grasp_command,
     parts_command,
     plan_command,
+    sense_command,
     table_command,
     verify_command,
 )
@@ -31,6 +33,8 @@ EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 _COMMANDS = (
     plan_command,
     grasp_command,
+    decide_command,
+    sense_command,
     verify_command,
     audit_command,
     table_command,

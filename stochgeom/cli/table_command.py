@@ -28,7 +28,7 @@ def add_parser(commands: Any) -> None:
         description="Print a table of Goldberg (1990), or a figure of numbers, computed and "
         "printed values side by side.",
     )
-    numbers = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES})
+    numbers = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES, "7.2"})
     parser.add_argument("number", choices=numbers, metavar="NUMBER", help=", ".join(numbers))
     add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a JSON document")
@@ -38,8 +38,14 @@ def add_parser(commands: Any) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; exit code 1 if a cell differs that no erratum explains."""
     digits = read_digits(arguments.digits)
-    cells: list[Cell]
-    if arguments.number in _FIGURES:
+    cells: list[Cell] = []
+    if arguments.number == "7.2":
+        from stochgeom.cli.orders_text import orders_document, orders_text
+        from stochgeom.thesis.sensor_orders import sensor_orders
+
+        orders = sensor_orders()
+        text, document = orders_text(orders, digits), orders_document(orders, digits)
+    elif arguments.number in _FIGURES:
         evolution = _FIGURES[arguments.number]()
         text = evolution_text(evolution, digits)
         document = evolution_document(evolution, digits)

@@ -116,6 +116,8 @@ class CostOverProbability:
         return hash(self.decimal(12)) if exact is None else hash(exact)
 
     def __lt__(self, other: CostOverProbability | TurnRatio) -> bool:
+        if not isinstance(other, CostOverProbability | TurnRatio):
+            return NotImplemented
         return self.compare(other) < 0
 
     def __float__(self) -> float:

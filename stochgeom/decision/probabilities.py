@@ -160,6 +160,11 @@ class Enclosed:
             f"{COMPARE_BITS} bits; they may be equal"
         )
 
+    def __lt__(self, other: Any) -> bool:
+        if not isinstance(other, Enclosed):
+            return NotImplemented
+        return self.compare(other) < 0
+
     def to_sympy(self) -> Any:
         """Refuse: the number is known by its enclosures only."""
         raise InputError("a number known by enclosures has no sympy form; accepted: exact numbers")

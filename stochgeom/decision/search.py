@@ -149,6 +149,7 @@ def breadth_first(
     keep_ties: bool = False,
     highest: Worth | None = None,
     enough: Callable[[Level[Node, Worth]], bool] | None = None,
+    stop: Callable[[int], bool] | None = None,
 ) -> SearchResult[Node, Worth]:
     """Search all plans, the shorter ones first.
 
@@ -176,6 +177,9 @@ def breadth_first(
         kept, the level that it is on.
     enough : callable, optional
         ``enough(level)`` ends the search after a complete level.
+    stop : callable, optional
+        ``stop(generated)`` ends the search as the node limit does: a level is left incomplete. It
+        is asked before each node, and told how many there are.
 
     Raises
     ------
@@ -209,7 +213,7 @@ def breadth_first(
         )
     search = _Search(root, actions, apply, worth, highest)
     search.node_limit, search.count_duplicates = node_limit, count_duplicates
-    search.keep_ties = keep_ties
+    search.keep_ties, search.stop = keep_ties, stop
     while search.frontier and search.last.complete and not search.settled:
         if search.last.length == depth or (enough is not None and enough(search.last)):
             break
@@ -224,6 +228,7 @@ class _Search(Generic[Node, Action, Worth]):
     node_limit: int
     count_duplicates: bool
     keep_ties: bool
+    stop: Callable[[int], bool] | None
 
     def __init__(
         self,
@@ -256,7 +261,9 @@ class _Search(Generic[Node, Action, Worth]):
         # Invariant: `routes` holds what at most last.length actions reach, and `fresh`.
         for node, (k, action) in product(self.frontier, self._letters):
             spent = last.generated + count if self.count_duplicates else len(routes)
-            if spent == self.node_limit:
+            if spent == self.node_limit or (
+                self.stop is not None and self.stop(last.generated + count)
+            ):
                 break
             count += 1
             child = self._apply(node, action)

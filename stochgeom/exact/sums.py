@@ -8,10 +8,11 @@ differences are decided by `stochgeom.exact.forms`, so every comparison is exact
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cached_property, total_ordering
-from typing import TYPE_CHECKING, Any, Protocol, final
+from fractions import Fraction
+from functools import cached_property, lru_cache, total_ordering
+from typing import TYPE_CHECKING, Any, Final, Protocol, final
 
-from gmpy2 import mpq
+from gmpy2 import mpq, mpz
 
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import Ball, argument_ball, certified_float, rational_ball
@@ -24,6 +25,8 @@ from stochgeom.exact.scalars import RationalLike, rational, rational_text
 
 if TYPE_CHECKING:
     import sympy
+
+_RATIONAL_TYPES: Final = (int, Fraction, type(mpz()), type(mpq()))
 
 
 class Probability(Protocol):
@@ -133,24 +136,47 @@ class AngleSum:
     @cached_property
     def rational(self) -> mpq | None:
         """The exact value if it is rational, else None."""
-        return rational_form(self.constant, self.terms)
+        return (
+            _rational_value(self.constant, frozenset(self.terms)) if self.terms else self.constant
+        )
 
     # --- arithmetic ------------------------------------------------------------------------------
 
     def scaled(self, q: RationalLike) -> AngleSum:
         """Return the number times a rational number."""
         factor = rational(q)
-        return AngleSum(self.constant * factor, [(c * factor, a) for c, a in self.terms])
+        if not factor:
+            return _made(mpq(0), ())
+        return _made(self.constant * factor, tuple((c * factor, a) for c, a in self.terms))
 
-    def __add__(self, other: AngleSum) -> AngleSum:
-        if not isinstance(other, AngleSum):
-            return NotImplemented
-        return AngleSum(self.constant + other.constant, (*self.terms, *other.terms))
+    def __mul__(self, q: RationalLike) -> AngleSum:
+        """Return the number times a rational number."""
+        return self.scaled(q) if _is_rational(q) else NotImplemented
 
-    def __sub__(self, other: AngleSum) -> AngleSum:
+    __rmul__ = __mul__
+
+    def __add__(self, other: AngleSum | RationalLike) -> AngleSum:
         if not isinstance(other, AngleSum):
+            if not _is_rational(other):
+                return NotImplemented
+            return _made(self.constant + other, self.terms)
+        if not (self.terms and other.terms):
+            return _made(self.constant + other.constant, self.terms or other.terms)
+        gathered = {angle: q for q, angle in self.terms}
+        for q, angle in other.terms:
+            gathered[angle] = gathered.get(angle, 0) + q
+        terms = tuple((q, angle) for angle, q in gathered.items() if q)
+        return _made(self.constant + other.constant, terms)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: AngleSum | RationalLike) -> AngleSum:
+        if not isinstance(other, AngleSum) and not _is_rational(other):
             return NotImplemented
-        return self + other.scaled(-1)
+        return self + AngleSum.of(other).scaled(-1)
+
+    def __rsub__(self, other: RationalLike) -> AngleSum:
+        return self.scaled(-1) + other if _is_rational(other) else NotImplemented
 
     # --- comparison ------------------------------------------------------------------------------
 
@@ -183,16 +209,24 @@ class AngleSum:
         return (self - AngleSum.of(other)).sign()
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, AngleSum):
+        if not isinstance(other, AngleSum) and not _is_rational(other):
             return NotImplemented
-        return self.compare(other) == 0
+        return self is other or self.compare(other) == 0
 
-    def __lt__(self, other: AngleSum) -> bool:
-        if not isinstance(other, AngleSum):
+    def __lt__(self, other: AngleSum | RationalLike) -> bool:
+        if not isinstance(other, AngleSum) and not _is_rational(other):
             return NotImplemented
         return self.compare(other) < 0
 
+    def __bool__(self) -> bool:
+        """Tell whether the number is not 0, as of every kind of number."""
+        return self.sign() != 0
+
     def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
         # Equal numbers may be made of different angles, so only the value can be hashed.
         return hash(self.decimal(12)) if self.rational is None else hash(self.rational)
 
@@ -249,6 +283,25 @@ class AngleSum:
 
     def __str__(self) -> str:
         return self.decimal(4)
+
+
+@lru_cache(maxsize=4096)
+def _rational_value(constant: mpq, terms: frozenset[tuple[mpq, Angle]]) -> mpq | None:
+    """Return the value if it is rational: a costly question, and hyperstates repeat their sums."""
+    return rational_form(constant, terms)
+
+
+def _made(constant: mpq, terms: tuple[tuple[mpq, Angle], ...]) -> AngleSum:
+    """Return a sum whose terms are in canonical form already."""
+    made = AngleSum.__new__(AngleSum)
+    made.__dict__["constant"] = constant
+    made.__dict__["terms"] = terms
+    return made
+
+
+def _is_rational(value: object) -> bool:
+    """Tell whether a value is an exact rational number; text is none here."""
+    return isinstance(value, _RATIONAL_TYPES) and not isinstance(value, bool)
 
 
 def _sympy_rational(value: mpq) -> Any:

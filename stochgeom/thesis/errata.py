@@ -114,3 +114,16 @@ APPENDIX_E: Final = {
     ),
 }
 """What Appendix E says of the 4gon and no 4gon with four stable edges can have."""
+
+SENSORS: Final = {
+    "7.5": Erratum(
+        "Eq. 7.5",
+        "sum of m(x) / p(x)",
+        "1 / sum of m(x) p(x)",
+        "a part that is not accepted falls back and is grasped and sensed anew, so its reading "
+        "does not last; a round succeeds with probability sum of m(x) p(x). With the prior (.6, "
+        ".1, .1, .1, .1) and a sensor that tells the first state from the rest, the printed sum is "
+        "2.2, and 1.667 without any sensor; in truth the sensor lowers the cost to 1.429",
+    ),
+}
+"""What chapter 7 says of plans with sensors and does not hold."""

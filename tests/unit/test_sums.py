@@ -27,6 +27,32 @@ sums = st.builds(AngleSum, fractions, st.lists(st.tuples(fractions, orientations
 # --- worked cases --------------------------------------------------------------------------------
 
 
+def test_arithmetic_with_rational_numbers():
+    third = AngleSum(0, [(1, C)])
+    assert 2 * third == third * 2 == third + third
+    assert 1 - third == AngleSum(1, [(-1, C)])
+    assert third + mpq(1, 2) == mpq(1, 2) + third
+    assert (third - third).terms == ()
+    assert third * 0 == 0
+    assert third < 1
+    assert mpq(0) < third
+    assert sum([third, 1 - third], start=mpq(0)) == 1
+    for wrong in (0.5, "1/2", None):
+        with pytest.raises(TypeError):
+            third + wrong
+        with pytest.raises(TypeError):
+            third * wrong
+        assert third != wrong
+
+
+def test_truth_is_not_being_zero():
+    machin = AngleSum("-1/8", [(4, A), (-1, B)])  # zero, though it does not look so
+    assert not machin
+    assert not AngleSum()
+    assert AngleSum(0, [(1, C)])
+    assert AngleSum("-1/9")
+
+
 def test_what_is_plainly_rational_is_gathered():
     total = AngleSum("1/3", [(2, QUARTER_TURN), ("1/2", Angle.from_degrees(71)), (0, A)])
     assert total.constant == mpq(1, 3) + mpq(1, 2) + mpq(71, 720)

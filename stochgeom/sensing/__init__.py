@@ -1,0 +1,1 @@
+"""Sensors, posterior updates, and plans with sensors (thesis ch. 7)."""
