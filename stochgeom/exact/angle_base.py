@@ -20,6 +20,8 @@ from typing import final
 
 from gmpy2 import mpq
 
+from stochgeom.errors import NotRationalError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.eighths import octant
 from stochgeom.exact.gaussian import Gaussian, coprime_base, divide, exponent
@@ -36,6 +38,11 @@ class AngleBase:
         Every angle in a sum to be written over the base must stand in one of them, or be an element
         of it.
 
+    Raises
+    ------
+    NotRationalError
+        For angles over a real algebraic field, where primes do not factor uniquely.
+
     Examples
     --------
     The angles of a triangle of 3-4-5 sides, in turns, and the difference of two of them:
@@ -49,6 +56,12 @@ class AngleBase:
 
     def __init__(self, sums: Iterable[AngleSum]) -> None:
         angles = {angle for each in sums for _, angle in each.terms}
+        for angle in angles:
+            if is_algebraic(angle.direction[0]):
+                raise NotRationalError(
+                    f"{angle} is an angle over {angle.direction[0].field}, where no independent "
+                    "ones are known; accepted: angles of parts with rational vertices"
+                )
         numbers = [Gaussian(*angle.direction) for angle in angles]
         self._elements = _one_of_two_conjugates(
             coprime_base([z for number in numbers for z in (number, number.conjugate())])

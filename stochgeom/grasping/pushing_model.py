@@ -211,5 +211,5 @@ def average(numbers: Sequence[Probability]) -> Probability:
     """Return the mean of some probabilities, exact if all of them are."""
     total = AngleSum()
     for number in numbers:
-        total = total + number  # type: ignore[operator]
+        total = total + number
     return total.scaled(mpq(1, len(numbers)))

@@ -21,7 +21,8 @@ from typing import Any, Final, final
 
 from gmpy2 import is_square, isqrt, mpq
 
-from stochgeom.errors import SensorError
+from stochgeom.errors import NotRationalError, SensorError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import rational_ball
 from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
@@ -170,6 +171,7 @@ def sensor_of_diameters(
     >>> [str(p) for p in sensor.likelihood[0]]
     ['4969/5000', '31/5000', '0', '0']
     """
+    check_rational(squares)
     if bits is None:
         if sd is not None or rational(noise, where="noise") != 0:
             raise SensorError(
@@ -197,6 +199,23 @@ def sensor_of_diameters(
         name=f"{name}, noise {rational_text(deviation)}",
         row_error=max(error for _, error in rows.values()),
     )
+
+
+def check_rational(squares: Mapping[Any, Any]) -> None:
+    """Raise unless all squared diameters are rational; those of a regular pentagon are not.
+
+    Raises
+    ------
+    NotRationalError
+        Naming the state.
+    """
+    for label, square in squares.items():
+        if is_algebraic(square):
+            raise NotRationalError(
+                f"the squared diameter {square} is irrational; accepted: parts whose squared "
+                "diameters are rational, such as those with rational vertices",
+                where=f"state {label}",
+            )
 
 
 def _exact_sensor(squares: Mapping[Hashable, mpq], cost: RationalLike) -> Sensor:

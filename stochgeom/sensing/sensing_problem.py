@@ -22,6 +22,7 @@ from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import as_part
 from stochgeom.sensing.diameter_sensor import (
     LIKELIHOOD_DIGITS,
+    check_rational,
     covered_range,
     noise_deviation,
     sensor_of_diameters,
@@ -138,6 +139,7 @@ class SensingProblem:
         self.squared_diameters = {
             label: diameter.squared(theta) for label, theta in self.states.items()
         }
+        check_rational(self.squared_diameters)
         self.bits = bits
         self.covered = covered_range(between, self.squared_diameters)
         self.deviation = noise_deviation(noise, sd, self.covered)

@@ -171,6 +171,18 @@ def test_the_erratum_of_the_limit():
 # --- Eq. 3.14 ------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("n", range(3, 25))
+def test_equation_3_14_for_exact_regular_polygons(n):
+    """The closed form against the diagram of the polygon itself, its coordinates in a field."""
+    part = Part.regular(n)
+    for mu in ("0.25", "0.10", "0.05"):
+        diagram = GraspDiagram(part, mu)
+        assert diagram.bound == regular_bound(n, mu)
+        # Where Eq. 3.14 as printed has 0 already: n >= floor(pi / alpha), for even n.
+        printed_zero = n % 2 == 1 or n >= HALF_TURN // diagram.friction.angle
+        assert (diagram.bound == 0) <= printed_zero
+
+
 @pytest.mark.parametrize("mu", ["0", *FRICTIONS, "0.9", "1", "2"])
 def test_equation_3_14_for_the_square(mu):
     assert GraspDiagram(SQUARE, mu).bound.compare(regular_bound(4, mu)) == 0
