@@ -227,7 +227,9 @@ class DiameterFunction:
         >>> DiameterFunction([(0, 0), (1, 0), (0, 1)]).squared(Angle(0, (1, 1)))
         mpq(1,2)
         """
-        return squared_height(self._chord(self._piece_at(theta)), theta, "diameter")
+        return squared_height(
+            self._chord(self._piece_at(theta)), theta, "diameter", self.part.field
+        )
 
     def compare(self, first: Angle, second: Angle) -> int:
         """Return the sign of d(first) - d(second), exactly, as `squared` tells them."""

@@ -196,7 +196,7 @@ class RadiusFunction:
         """
         # Before transition 0 runs the last piece, which is piece -1.
         piece = self.transitions.count_at_most(theta.reduced()) - 1
-        return squared_height(self._chord(piece), theta, "radius")
+        return squared_height(self._chord(piece), theta, "radius", self.part.field)
 
     def compare(self, first: Angle, second: Angle) -> int:
         """Return the sign of r(first) - r(second), exactly, as `squared` tells them."""

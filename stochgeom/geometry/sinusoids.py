@@ -8,12 +8,15 @@ from stochgeom.errors import NotRationalError
 from stochgeom.exact.algebraic import is_algebraic, simplified
 from stochgeom.exact.algebraic_directions import direction_over
 from stochgeom.exact.angles import Angle
+from stochgeom.exact.fields import RealField
 from stochgeom.exact.surds import Scalar
 from stochgeom.geometry.points import Point
 
 
-def squared_height(chord: Point, theta: Angle, what: str) -> Scalar:
+def squared_height(chord: Point, theta: Angle, what: str, field: RealField | None = None) -> Scalar:
     """Return the squared y-extent of a chord turned by theta.
+
+    `field` is that of the part, of which the chord may show nothing.
 
     Raises
     ------
@@ -27,7 +30,7 @@ def squared_height(chord: Point, theta: Angle, what: str) -> Scalar:
     >>> squared_height((mpq(1), mpq(0)), Angle(0, (1, 1)), "height")
     mpq(1,2)
     """
-    direction = _direction(chord, theta)
+    direction = _direction(chord, theta, field)
     if direction is None:
         raise NotRationalError(
             f"the squared {what} at {theta} is no number of the part's field; accepted: "
@@ -37,9 +40,10 @@ def squared_height(chord: Point, theta: Angle, what: str) -> Scalar:
     return simplified((vx * y + vy * x) ** 2 / (x * x + y * y))
 
 
-def _direction(chord: Point, theta: Angle) -> tuple[Any, Any] | None:
+def _direction(chord: Point, theta: Angle, field: RealField | None) -> tuple[Any, Any] | None:
     x, y = theta.direction
     if theta.turn_part.denominator == 1:
         return x, y
-    fields = [number.field for number in (*chord, x, y) if is_algebraic(number)]
-    return direction_over(fields[0], theta) if fields else None
+    fields = [field, *(number.field for number in (*chord, x, y) if is_algebraic(number))]
+    known = next((each for each in fields if each is not None), None)
+    return None if known is None else direction_over(known, theta)

@@ -66,6 +66,15 @@ def test_exact_diameters_and_radii_of_the_pentagon():
         diameter.squared(Angle.from_degrees(71))
 
 
+@pytest.mark.parametrize("n", range(3, 13))
+def test_the_diameter_is_known_wherever_an_edge_is_flush(n):
+    # Chords may be rational where the orientation is not, as that of the hexagon's upright diagonal.
+    diameter = DiameterFunction(Part.regular(n))
+    for theta in (*diameter.transitions, *diameter.maxima):
+        value = mpmath.mpf(float(diameter.squared(theta)))
+        assert abs(value - diameter.evaluate(theta.to_float()) ** 2) < 1e-12
+
+
 def test_text_makes_the_same_triangle():
     squeeze = squeeze_function(TRIANGLE)
     assert squeeze.period == Angle.from_degrees(60)
