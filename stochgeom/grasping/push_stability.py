@@ -117,7 +117,7 @@ class PushStability:
     @cached_property
     def critical(self) -> tuple[Angle, ...]:
         """The stable and the unstable orientations, increasing in [0, 360) degrees."""
-        return tuple(sorted({*self.stable, *self.unstable}))
+        return tuple(merge(self.stable, self.unstable))
 
     @cached_property
     def sides(self) -> tuple[tuple[Angle, Angle, int], ...]:

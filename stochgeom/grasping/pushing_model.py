@@ -27,7 +27,7 @@ from gmpy2 import mpq
 
 from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.errors import InputError
-from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.balls import Ball
 from stochgeom.exact.cells import CellSet, merge
 from stochgeom.exact.sums import AngleSum, Probability
@@ -128,7 +128,9 @@ def sum_of_integrals(
 
 
 def _way(start: Angle, end: Angle, step: int) -> Angle:
-    return (end - start if step > 0 else start - end).reduced()
+    """Return the way up or down from one orientation in [0, 360) degrees to another."""
+    way = end - start if step > 0 else start - end
+    return way + FULL_TURN if way < ZERO else way
 
 
 def _ends_of_runs(
