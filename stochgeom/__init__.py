@@ -55,7 +55,31 @@ if TYPE_CHECKING:
     from stochgeom.geometry.radius import RadiusFunction, RadiusPiece
     from stochgeom.io.load import load_part
     from stochgeom.io.outlines import parse_outline, read_outline
+    from stochgeom.io.recordings import load_recording
+    from stochgeom.thesis.appendix_g import FIGURES_G
+    from stochgeom.thesis.chapter_6 import PRINTED_PLANS, figure_6_4_model
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
+    from stochgeom.tilting.all_plans import best_tilt_plan, best_tilt_plans
+    from stochgeom.tilting.beta_density import BetaDensity
+    from stochgeom.tilting.bounded_search import bounded_tilt_search
+    from stochgeom.tilting.counts import TransitionCounts
+    from stochgeom.tilting.estimation import TransitionModel
+    from stochgeom.tilting.experiment import calibrate_tilt_plans, measure_tilt_plans, trials_study
+    from stochgeom.tilting.intervals import wilson_interval
+    from stochgeom.tilting.physics import Tilt, slide_tile
+    from stochgeom.tilting.posterior import (
+        credible_interval,
+        posterior_median,
+        predictive_check,
+        sample_matrices,
+        sampled_probabilities,
+    )
+    from stochgeom.tilting.robot import SimulatedRobot
+    from stochgeom.tilting.shortest_path import shortest_path_tilt_plan
+    from stochgeom.tilting.states import TilePose, tile_state
+    from stochgeom.tilting.tilt_plans import TiltPlan, evaluate_tilt_plan
+    from stochgeom.tilting.tray import TraySetup
+    from stochgeom.tilting.uncertain_plans import best_expected_tilt_plan, expected_probability
     from stochgeom.transfer.push import push_function
     from stochgeom.transfer.push_grasp import push_grasp_function
     from stochgeom.transfer.squeeze import squeeze_function
@@ -132,13 +156,45 @@ _HOMES = {
     "push_grasp_function": "transfer.push_grasp",
     "squeeze_function": "transfer.squeeze",
     "StepFunction": "transfer.step_function",
+    "BetaDensity": "tilting.beta_density",
+    "FIGURES_G": "thesis.appendix_g",
+    "PRINTED_PLANS": "thesis.chapter_6",
+    "TilePose": "tilting.states",
+    "SimulatedRobot": "tilting.robot",
+    "Tilt": "tilting.physics",
+    "TiltPlan": "tilting.tilt_plans",
+    "TransitionCounts": "tilting.counts",
+    "TransitionModel": "tilting.estimation",
+    "TraySetup": "tilting.tray",
+    "best_expected_tilt_plan": "tilting.uncertain_plans",
+    "best_tilt_plan": "tilting.all_plans",
+    "best_tilt_plans": "tilting.all_plans",
+    "bounded_tilt_search": "tilting.bounded_search",
+    "calibrate_tilt_plans": "tilting.experiment",
+    "credible_interval": "tilting.posterior",
+    "evaluate_tilt_plan": "tilting.tilt_plans",
+    "expected_probability": "tilting.uncertain_plans",
+    "figure_6_4_model": "thesis.chapter_6",
+    "load_recording": "io.recordings",
+    "measure_tilt_plans": "tilting.experiment",
+    "posterior_median": "tilting.posterior",
+    "predictive_check": "tilting.posterior",
+    "sample_matrices": "tilting.posterior",
+    "sampled_probabilities": "tilting.posterior",
+    "shortest_path_tilt_plan": "tilting.shortest_path",
+    "slide_tile": "tilting.physics",
+    "tile_state": "tilting.states",
+    "trials_study": "tilting.experiment",
+    "wilson_interval": "tilting.intervals",
 }
 
 __all__ = [
     "EIGHTH_TURN",
     "FAMILIES",
+    "FIGURES_G",
     "FULL_TURN",
     "HALF_TURN",
+    "PRINTED_PLANS",
     "QUARTER_TURN",
     "ZERO",
     "Action",
@@ -146,6 +202,7 @@ __all__ = [
     "AngleSum",
     "AngleVector",
     "Arc",
+    "BetaDensity",
     "CallablePrior",
     "ClosedArc",
     "ConvexHull",
@@ -168,22 +225,40 @@ __all__ = [
     "RadiusFunction",
     "RadiusPiece",
     "Rejections",
+    "SimulatedRobot",
     "Sinusoid",
     "StableGrasp",
     "StepFunction",
     "StochgeomError",
+    "TilePose",
+    "Tilt",
+    "TiltPlan",
+    "TransitionCounts",
+    "TransitionModel",
+    "TraySetup",
     "TurnRatio",
     "VonMises",
     "Window",
     "WrappedNormal",
     "antipodal_pairs",
+    "best_expected_tilt_plan",
+    "best_tilt_plan",
+    "best_tilt_plans",
+    "bounded_tilt_search",
+    "calibrate_tilt_plans",
     "catalogue_names",
     "catalogue_part",
     "check_claim",
     "convex_hull",
+    "credible_interval",
+    "evaluate_tilt_plan",
+    "expected_probability",
+    "figure_6_4_model",
     "from_float_exact",
     "from_float_shortest",
     "load_part",
+    "load_recording",
+    "measure_tilt_plans",
     "most_stable_grasps",
     "orient_up_to_symmetry",
     "parse_angles",
@@ -191,20 +266,29 @@ __all__ = [
     "plan_feeding",
     "plan_transfer",
     "plan_weighing_grasps",
+    "posterior_median",
+    "predictive_check",
     "preimages",
     "push_function",
     "push_grasp_function",
     "rational",
     "read_outline",
+    "sample_matrices",
+    "sampled_probabilities",
+    "shortest_path_tilt_plan",
     "sign_of_form",
+    "slide_tile",
     "squeeze_function",
     "stability_costs",
     "stable_grasps",
+    "tile_state",
     "tolerance_of",
+    "trials_study",
     "uniform_prior",
     "union_arcs",
     "union_measure",
     "verify_plan",
+    "wilson_interval",
 ]
 
 

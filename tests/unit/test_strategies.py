@@ -291,3 +291,15 @@ def test_circle_points_are_close_to_others_often():
         for points in found
     ]
     assert share(near, bool) > 0.3
+
+
+# --- tray tilting --------------------------------------------------------------------------------
+
+
+def test_models_have_rows_never_observed_and_rows_alike():
+    found = [model for model, _, _ in sample(strategies.tilt_instances())]
+    assert share(found, lambda model: model.undefined_rows) > 0.1
+    assert share(found, lambda model: model.counts.has_other) > 0.2
+    assert share(found, lambda model: model.counts.states > 1) > 0.4
+    rows = [[tuple(row) for matrix in model.counts.table for row in matrix] for model in found]
+    assert share(rows, lambda listed: len(set(listed)) < len(listed)) > 0.1
