@@ -65,6 +65,12 @@ if TYPE_CHECKING:
     from stochgeom.tilting.counts import TransitionCounts
     from stochgeom.tilting.estimation import TransitionModel
     from stochgeom.tilting.experiment import calibrate_tilt_plans, measure_tilt_plans, trials_study
+    from stochgeom.tilting.gripper import (
+        SimulatedGripper,
+        random_grasps,
+        simulate_push_grasp,
+        simulate_squeeze,
+    )
     from stochgeom.tilting.intervals import wilson_interval
     from stochgeom.tilting.physics import Tilt, slide_tile
     from stochgeom.tilting.posterior import (
@@ -186,6 +192,10 @@ _HOMES = {
     "tile_state": "tilting.states",
     "trials_study": "tilting.experiment",
     "wilson_interval": "tilting.intervals",
+    "SimulatedGripper": "tilting.gripper",
+    "random_grasps": "tilting.gripper",
+    "simulate_push_grasp": "tilting.gripper",
+    "simulate_squeeze": "tilting.gripper",
 }
 
 __all__ = [
@@ -225,6 +235,7 @@ __all__ = [
     "RadiusFunction",
     "RadiusPiece",
     "Rejections",
+    "SimulatedGripper",
     "SimulatedRobot",
     "Sinusoid",
     "StableGrasp",
@@ -271,12 +282,15 @@ __all__ = [
     "preimages",
     "push_function",
     "push_grasp_function",
+    "random_grasps",
     "rational",
     "read_outline",
     "sample_matrices",
     "sampled_probabilities",
     "shortest_path_tilt_plan",
     "sign_of_form",
+    "simulate_push_grasp",
+    "simulate_squeeze",
     "slide_tile",
     "squeeze_function",
     "stability_costs",

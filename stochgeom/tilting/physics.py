@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final, final
 
 import numpy as np
@@ -174,13 +175,18 @@ def tray_space(setup: TraySetup, tilt: Tilt) -> tuple[pymunk.Space, pymunk.Body]
 def support_points(setup: TraySetup) -> list[tuple[float, float, float]]:
     """Return where the floor carries the tile, with shares of its weight: x, y, share."""
     along = setup.solver.support_points
-    nodes, weights = np.polynomial.legendre.leggauss(along)
-    rows, shares = np.polynomial.legendre.leggauss(max(1, along // 2))
     return [
-        (float(x) * setup.tile_length / 2, float(y) * setup.tile_width / 2, float(p * q) / 4)
-        for x, p in zip(nodes, weights, strict=True)
-        for y, q in zip(rows, shares, strict=True)
+        (x * setup.tile_length / 2, y * setup.tile_width / 2, p * q)
+        for x, p in _gauss_points(along)
+        for y, q in _gauss_points(max(1, along // 2))
     ]
+
+
+@cache
+def _gauss_points(count: int) -> list[tuple[float, float]]:
+    """Return nodes in [-1, 1] and weights of sum 1."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return [(float(x), float(p) / 2) for x, p in zip(nodes, weights, strict=True)]
 
 
 def tray_floor(setup: TraySetup, tilt: Tilt) -> Floor:
@@ -218,10 +224,12 @@ class Floor:
         cos, sin = math.cos(angle), math.sin(angle)
         # In the body's frame the points stand still, and its velocity turns.
         vx, vy = cos * vx + sin * vy, cos * vy - sin * vx
+        creep, sqrt = self.creep, math.sqrt
         fx = fy = torque = 0.0
         for x, y, force in self._points:
             ux, uy = vx - spin * y, vy + spin * x
-            scale = force / max(math.sqrt(ux * ux + uy * uy), self.creep)
+            speed = sqrt(ux * ux + uy * uy)
+            scale = force / (speed if speed > creep else creep)
             fx -= scale * ux
             fy -= scale * uy
             torque += scale * (y * ux - x * uy)

@@ -68,7 +68,8 @@ class SimulatedRobot:
         count : int
             How many, at least 1.
         jobs : int, default 1
-            Processes that share them; the result does not depend on it.
+            Processes that share them; the result does not depend on it. In a script, start more
+            than one under ``if __name__ == "__main__":``, as Python's `multiprocessing` asks for.
         tell : callable, optional
             Called with the share of work done.
 

@@ -40,7 +40,7 @@ class Solver:
     """
 
     time_step: float = 0.001
-    iterations: int = 10
+    iterations: int = 30
     support_points: int = 4
     rest_speed: float = 1.0
     rest_seconds: float = 0.1

@@ -274,8 +274,8 @@ def test_the_law_of_symmetry_can_fail():
     """What the comparison above finds when outcomes are mapped the wrong way round."""
     robot = SimulatedRobot(seed=9)
     plain, turned = robot.execute(1, [5], 60), robot.execute(4, [8], 60)
-    assert plain[4] > 30
-    assert turned[7] > 30
+    assert plain[4] > 20
+    assert turned[7] > 20
     assert turned[4] < 10
 
 
