@@ -81,8 +81,8 @@ if TYPE_CHECKING:
         sampled_probabilities,
     )
     from stochgeom.tilting.robot import SimulatedRobot
-    from stochgeom.tilting.shortest_path import shortest_path_tilt_plan
-    from stochgeom.tilting.states import TilePose, tile_state
+    from stochgeom.tilting.shortest_path import likeliest_tilts, shortest_path_tilt_plan
+    from stochgeom.tilting.states import TilePose, draw_tile_pose, tile_state
     from stochgeom.tilting.tilt_plans import TiltPlan, evaluate_tilt_plan
     from stochgeom.tilting.tray import TraySetup
     from stochgeom.tilting.uncertain_plans import best_expected_tilt_plan, expected_probability
@@ -196,6 +196,8 @@ _HOMES = {
     "random_grasps": "tilting.gripper",
     "simulate_push_grasp": "tilting.gripper",
     "simulate_squeeze": "tilting.gripper",
+    "likeliest_tilts": "tilting.shortest_path",
+    "draw_tile_pose": "tilting.states",
 }
 
 __all__ = [
@@ -262,11 +264,13 @@ __all__ = [
     "check_claim",
     "convex_hull",
     "credible_interval",
+    "draw_tile_pose",
     "evaluate_tilt_plan",
     "expected_probability",
     "figure_6_4_model",
     "from_float_exact",
     "from_float_shortest",
+    "likeliest_tilts",
     "load_part",
     "load_recording",
     "measure_tilt_plans",

@@ -68,6 +68,7 @@ class TransitionModel:
     def __init__(self, counts: TransitionCounts, alpha: AlphaLike = ALPHA) -> None:
         self.counts = counts
         self.alpha = _alpha_table(alpha, counts.states, len(counts.outcomes))
+        self._rows: dict[tuple[int, int], Row] = {}
 
     # --- the posterior ---------------------------------------------------------------------------
 
@@ -78,9 +79,13 @@ class TransitionModel:
 
     def row(self, action: int, state: int) -> Row:
         """Return the mean of a row: the estimate of least squared error (Eq. 6.10, 6.13)."""
-        parameters = self.parameters(action, state)
-        whole = sum(parameters)
-        return tuple(parameter / whole for parameter in parameters)
+        found = self._rows.get((action, state))
+        if found is None:
+            parameters = self.parameters(action, state)
+            whole = sum(parameters)
+            found = tuple(parameter / whole for parameter in parameters)
+            self._rows[action, state] = found
+        return found
 
     def matrix(self, action: int) -> tuple[Row, ...]:
         """Return the mean of a transition matrix, a row for each state."""

@@ -20,7 +20,7 @@ GRAVITY: Final = 9810.0
 @final
 @dataclass(frozen=True, slots=True)
 class Solver:
-    """How the engine integrates; see the convergence study in notebooks/tray-tilting.ipynb.
+    """How the engine integrates; see the convergence study in notebooks/06-tray-tilting.ipynb.
 
     Attributes
     ----------
