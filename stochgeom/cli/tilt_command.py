@@ -87,8 +87,8 @@ def _add_experiment(parts: Any) -> None:
         "experiment",
         help="estimate, plan, carry out, compare",
         description="Estimate the simulated robot from trials, plan all 132 pairs of states, carry "
-        "each plan out, and compare estimated with measured probabilities. About 20 minutes of "
-        "one core as it stands; --executions 50 takes three.",
+        "each plan out, and compare estimated with measured probabilities. Some six minutes of "
+        "one core as it stands; --executions 50 takes one.",
     )
     _add_trials(parser, "2000")
     _add_setup(parser)

@@ -156,6 +156,8 @@ def _plans(arguments: argparse.Namespace, model: TransitionModel, most: int) -> 
         return [planner(model, start, _state(arguments.goal, "--to", model), most, observed)]
     if arguments.start is not None or arguments.goal is not None:
         raise InputError("--all plans every pair; accepted: --from and --to, or --all")
+    if arguments.method == "all-plans":
+        return _every_pair(model, most, observed)
     states = range(1, model.counts.states + 1)
     pairs = [(i, j) for i in states for j in states if i != j]
     found = []
@@ -164,6 +166,15 @@ def _plans(arguments: argparse.Namespace, model: TransitionModel, most: int) -> 
             progress.show(done / len(pairs))
             found.append(planner(model, i, j, most, observed))
     return found
+
+
+def _every_pair(model: TransitionModel, most: int, observed: bool) -> list[TiltPlan]:
+    """Return the best plans of all pairs, for all goals of a start at once."""
+    from stochgeom.tilting.all_plans import best_tilt_plans
+
+    with Progress("starts") as progress:
+        found = best_tilt_plans(model, most, observed_only=observed, tell=progress.show)
+    return list(found.values())
 
 
 def _state(text: str | None, option: str, model: TransitionModel) -> int:

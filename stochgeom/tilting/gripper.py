@@ -189,6 +189,15 @@ def simulate_squeeze(part: Part, theta: float, gripper: SimulatedGripper) -> Gra
         If pymunk is not installed.
     SimulationError
         If the part is not at rest within the limit.
+
+    Examples
+    --------
+    A square on its corner wedges; turned a little further it does not:
+
+    >>> square = Part([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> gripper = SimulatedGripper(friction=0.25)
+    >>> [simulate_squeeze(square, math.radians(d), gripper).is_stable for d in (45, 65)]
+    [False, True]
     """
     scene = _Scene(part, theta, gripper)
     scene.put_upper_jaw()
@@ -207,6 +216,13 @@ def simulate_push_grasp(part: Part, theta: float, gripper: SimulatedGripper) -> 
         If pymunk is not installed.
     SimulationError
         If the part is not flush or not at rest within the limit.
+
+    Examples
+    --------
+    >>> square = Part([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> grasp = simulate_push_grasp(square, math.radians(30), SimulatedGripper(friction=0.0))
+    >>> round(math.degrees(grasp.after))
+    0
     """
     scene = _Scene(part, theta, gripper)
     seconds = scene.push()

@@ -121,6 +121,15 @@ def slide_tile(
         If pymunk is not installed.
     SimulationError
         If the tile is not at rest within the limit, or outside of the tray.
+
+    Examples
+    --------
+    A tile at the upper wall, tilted to the left, slides into the corner:
+
+    >>> tilt = Tilt(azimuth=180.0, angle=25.0, support_friction=0.1, wall_friction=0.7)
+    >>> rest = slide_tile(TraySetup(), TilePose(0.0, 100.0, 0.0), tilt)
+    >>> round(rest.pose.x), round(rest.pose.y), rest.seconds < 1
+    (-75, 100, True)
     """
     space, body = tray_space(setup, tilt)
     floor = tray_floor(setup, tilt)

@@ -52,6 +52,12 @@ def credible_interval(
         If the level is not between 0 and 1.
     MissingExtraError
         If scipy is not installed.
+
+    Examples
+    --------
+    >>> model = TransitionModel(TransitionCounts([[[3, 1]]]), alpha=1)
+    >>> [round(end, 3) for end in credible_interval(model, 1, 1, 1, 0.9)]
+    [0.343, 0.924]
     """
     if not 0 < level < 1:
         raise InputError(f"a level of {level!r}; accepted: above 0, below 1")
@@ -92,6 +98,13 @@ def sampled_probabilities(
 
     Their mean estimates the probability expected under the posterior, their quantiles how sure it
     is.
+
+    Examples
+    --------
+    >>> model = TransitionModel(TransitionCounts([[[1, 0], [0, 1]]]), alpha=1)
+    >>> chances = sampled_probabilities(sample_matrices(model, 4000, seed=1), 1, 2, (1, 1))
+    >>> f"{chances.mean():.1f}"
+    '0.4'
     """
     weights = np.zeros(matrices.shape[:1] + matrices.shape[-1:])
     weights[:, start - 1] = 1.0
