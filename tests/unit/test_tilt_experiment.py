@@ -90,6 +90,7 @@ class TestPlanners:
     def test_ties_go_to_fewer_tilts_then_to_the_first(self):
         plans = [plan("1/2", 2), plan("1/2", actions=[2]), plan("1/2", actions=[1]), plan("1/3")]
         assert first_best(plans).actions == (1,)
+        assert first_best([plan("1/2", actions=[1, 1]), plan("1/2", actions=[2])]).actions == (2,)
 
     def test_a_start_at_the_goal_needs_no_tilt(self):
         for planner in (best_tilt_plan, shortest_path_tilt_plan, best_expected_tilt_plan):

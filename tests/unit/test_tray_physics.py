@@ -287,6 +287,14 @@ def test_the_same_seed_gives_the_same_trials():
     assert SimulatedRobot(seed=3).trials(60) != SimulatedRobot(seed=4).trials(60)
 
 
+def test_no_trial_is_a_repetition():
+    trials = SimulatedRobot(seed=3).trials(100)
+    assert trials[:50] != trials[50:]
+    ends = [run_trial(SETUP, 3, 2, (11, 5), number) for number in range(100)]
+    assert ends[:50] != ends[50:]
+    assert len(set(ends)) > 1
+
+
 def test_a_longer_run_continues_a_shorter_one():
     assert SimulatedRobot(seed=3).trials(70)[:30] == SimulatedRobot(seed=3).trials(30)
 
