@@ -46,6 +46,13 @@ class TransitionModel:
         The Dirichlet parameters before the observations, all positive. One number stands for all
         outcomes, one row for all states.
 
+    Attributes
+    ----------
+    counts : TransitionCounts
+        The observations.
+    alpha : tuple of tuple of mpq
+        The parameters, a row for each state.
+
     Raises
     ------
     PriorError
