@@ -6,6 +6,8 @@ import argparse
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from gmpy2 import mpq
+
 from stochgeom.cli.layout import count, table
 from stochgeom.cli.options import read_digits
 from stochgeom.cli.output import write, write_json
@@ -20,6 +22,9 @@ if TYPE_CHECKING:  # loaded when the command runs: other commands start without 
     from stochgeom.tilting.tilt_plans import TiltPlan
 
 THESIS_MODEL = "figure-6.4"
+
+MOST_EXPECTED = 4
+"""Longest plan with a repeated tilt whose expected probability is shown: a sum over all paths."""
 
 Planner = Callable[["TransitionModel", int, int, int, bool], "TiltPlan"]
 
@@ -113,15 +118,20 @@ def read_model(arguments: argparse.Namespace) -> TransitionModel:
     return load_recording(arguments.source, *sizes).model(alpha)
 
 
-def notes_on(model: TransitionModel) -> list[str]:
-    """Return what has to be said of tilts and pairs that were never observed."""
+def notes_on(model: TransitionModel, *, left_out: bool | None = None) -> list[str]:
+    """Return what has to be said of tilts and pairs that were never observed.
+
+    `left_out` tells whether plans leave such tilts out; None where there is no plan.
+    """
     found = []
     if model.unobserved_actions:
         named = ", ".join(map(str, model.unobserved_actions))
-        found.append(
-            f"Never observed: tilt {named}. The model knows nothing of it but its prior; plans may "
-            "use it, unless --observed-only is given."
-        )
+        treated = {
+            None: "all that the model says of such a tilt is its prior",
+            True: "plans leave such a tilt out",
+            False: "plans may use such a tilt, by its prior alone; --observed-only leaves it out",
+        }[left_out]
+        found.append(f"Never observed: tilt {named}; {treated}.")
     unseen = len(model.undefined_rows) - len(model.unobserved_actions) * model.counts.states
     if unseen:
         found.append(
@@ -145,7 +155,7 @@ def run(arguments: argparse.Namespace) -> int:
         write_json({**found, **({"plans": documents} if arguments.all else documents[0])})
     else:
         body = _table_of(plans, digits) if arguments.all else _text_of(model, plans[0], digits)
-        write("\n\n".join([body, *notes_on(model)]))
+        write("\n\n".join([body, *notes_on(model, left_out=arguments.observed_only)]))
     return 0
 
 
@@ -227,22 +237,34 @@ def _text_of(model: TransitionModel, plan: TiltPlan, digits: int) -> str:
             f"along its path alone {rational_decimal(plan.bound, digits)}: a heuristic, not proven "
             "best"
         )
-    expected = expected_probability(model, plan.start, plan.goal, plan.actions)
-    lines.append(f"expected under the posterior: {rational_decimal(expected, digits)}")
+    if plan.steps <= MOST_EXPECTED or len(set(plan.actions)) == plan.steps:
+        expected = expected_probability(model, plan.start, plan.goal, plan.actions)
+        lines.append(f"expected under the posterior: {rational_decimal(expected, digits)}")
     rows = [
         [str(step), "start" if step == 0 else str(plan.actions[step - 1]), _likely(state, model)]
         for step, state in enumerate(hyperstates(model, plan.start, plan.actions))
     ]
     lines += ["", table(["step", "tilt", "states after it, the likely ones"], rows, left=[2])]
     if plan.unobserved:
-        pairs = ", ".join(f"{action} in state {state}" for action, state in plan.unobserved[:6])
-        more = len(plan.unobserved) - 6
-        lines += [
-            "",
-            f"The plan may come to what nobody has tried: tilt {pairs}"
-            + (f", and {more} more." if more > 0 else "."),
-        ]
+        lines += ["", _untried(model, plan)]
     return "\n".join(lines)
+
+
+def _untried(model: TransitionModel, plan: TiltPlan, most: int = 6) -> str:
+    """Say which pairs of tilt and state the plan meets that nobody has tried, the likely first."""
+    from stochgeom.tilting.tilt_plans import hyperstates
+
+    met = dict.fromkeys(plan.unobserved, mpq(0))
+    passed = hyperstates(model, plan.start, plan.actions)
+    for action, before in zip(plan.actions, passed, strict=False):
+        for state in range(1, model.counts.states + 1):
+            if (action, state) in met:
+                met[action, state] += before[state - 1]
+    order = sorted(met, key=lambda pair: (-met[pair], pair))
+    pairs = ", ".join(f"{action} in state {state}" for action, state in order[:most])
+    more = f", and {len(order) - most} more" if len(order) > most else ""
+    total = rational_decimal(min(sum(met.values()), mpq(1)), 3)
+    return f"Never tried, but met with probability {total} at most: tilt {pairs}{more}."
 
 
 def _likely(state: tuple[Any, ...], model: TransitionModel, most: int = 4) -> str:

@@ -40,6 +40,8 @@ def expected_probability(
 ) -> mpq:
     """Return the probability of success to be expected under the posterior, exactly.
 
+    O(n^(k-1)) for n states and k tilts, O(k n^2) if no tilt is repeated.
+
     Examples
     --------
     Nothing observed, two states, one tilt: p is uniform, and two tilts from 1 succeed with
@@ -55,6 +57,8 @@ def expected_probability(
     first = numbered(start, model.counts.states, "start")
     last = numbered(goal, model.counts.states, "goal")
     tilts = tuple(numbered(action, model.counts.actions, "action") for action in actions)
+    if len(set(tilts)) == len(tilts):
+        return evaluate_tilt_plan(model, first, last, tilts).probability
     return _Urns(model, tilts, last - 1).expect(first - 1)
 
 

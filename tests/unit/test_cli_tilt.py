@@ -101,7 +101,10 @@ class TestEstimate:
         assert found["matrix"][0] == ["1/12", "5/6", "1/12"]
 
     def test_what_was_never_observed_is_told(self, capsys, model):
-        assert "Never observed: tilt 3." in call(capsys, "tilt", "estimate", model).out
+        assert (
+            "Never observed: tilt 3; all that the model says"
+            in call(capsys, "tilt", "estimate", model).out
+        )
 
     @pytest.mark.parametrize(
         ("arguments", "message"),
@@ -152,10 +155,11 @@ class TestPlan:
         arguments = ["tilt", "plan", path, "--from", "1", "--to", "3"]
         used = call(capsys, *arguments)
         assert "tilts 2" in used.out
-        assert "The plan may come to what nobody has tried: tilt 2 in state 1" in used.out
-        assert "Never observed: tilt 2." in used.out
+        assert "Never tried, but met with probability 1.000 at most: tilt 2 in state 1" in used.out
+        assert "Never observed: tilt 2; plans may use such a tilt, by its prior alone" in used.out
         left_out = call(capsys, *arguments, "--observed-only", "--json").document
         assert set(left_out["tilts"]) <= {1}
+        assert "plans leave such a tilt out" in call(capsys, *arguments, "--observed-only").out
         assert left_out["unobserved"] == []
 
     def test_a_recording_in_csv(self, capsys, tmp_path):
