@@ -9,7 +9,11 @@ from stochgeom.tilting.all_plans import best_tilt_plan, error_factor, plan_level
 from stochgeom.tilting.bounded_search import bounded_tilt_search, seeing_values
 from stochgeom.tilting.shortest_path import shortest_path_tilt_plan
 from stochgeom.tilting.tilt_plans import evaluate_tilt_plan, hyperstates
-from stochgeom.tilting.uncertain_plans import best_expected_tilt_plan, expected_probability
+from stochgeom.tilting.uncertain_plans import (
+    _Urns,
+    best_expected_tilt_plan,
+    expected_probability,
+)
 from tests.strategies import tilt_instances, transition_models
 
 some = settings(max_examples=150)
@@ -99,6 +103,7 @@ def test_without_a_repeated_tilt_the_plug_in_is_the_expectation(instance):
     word = tuple(range(1, model.counts.actions + 1))
     plug_in = evaluate_tilt_plan(model, start, goal, word).probability
     assert expected_probability(model, start, goal, word) == plug_in
+    assert _Urns(model, word, goal - 1).expect(start - 1) == plug_in  # the sum over the paths
 
 
 @given(tilt_instances())

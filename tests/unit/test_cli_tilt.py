@@ -169,6 +169,13 @@ class TestPlan:
         assert "tilts 4" in told.out
         assert told.code == 0
 
+    def test_a_long_plan_does_not_wait_for_its_expectation(self, capsys):
+        arguments = ["--method", "branch-and-bound", "--max-tilts", "9"]
+        told = call(capsys, "tilt", "plan", "figure-6.4", "--from", "7", "--to", "2", *arguments)
+        assert told.code == 0
+        assert "tilts 1 1 1 1 1 1 1 1 1;" in told.out
+        assert "expected" not in told.out
+
     def test_at_the_goal_already(self, capsys, model):
         told = call(capsys, "tilt", "plan", model, "--from", "2", "--to", "2")
         assert told.out.startswith("From 2 to 2: tilts none; probability 1.0000")
