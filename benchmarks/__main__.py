@@ -27,6 +27,7 @@ NAMES = (
     "grasping",
     "decision",
     "sensor_trees",
+    "tilting",
 )
 
 

@@ -116,7 +116,37 @@ if TYPE_CHECKING:
     )
     from stochgeom.sensing.sensor_plan import SensorPlan
     from stochgeom.sensing.sensors import Sensor
+    from stochgeom.io.recordings import load_recording
+    from stochgeom.thesis.appendix_g import FIGURES_G
+    from stochgeom.thesis.chapter_6 import PRINTED_PLANS, figure_6_4_model
     from stochgeom.thesis.parts import catalogue_names, catalogue_part
+    from stochgeom.tilting.all_plans import best_tilt_plan, best_tilt_plans
+    from stochgeom.tilting.beta_density import BetaDensity
+    from stochgeom.tilting.bounded_search import bounded_tilt_search
+    from stochgeom.tilting.counts import TransitionCounts
+    from stochgeom.tilting.estimation import TransitionModel
+    from stochgeom.tilting.experiment import calibrate_tilt_plans, measure_tilt_plans, trials_study
+    from stochgeom.tilting.gripper import (
+        SimulatedGripper,
+        random_grasps,
+        simulate_push_grasp,
+        simulate_squeeze,
+    )
+    from stochgeom.tilting.intervals import wilson_interval
+    from stochgeom.tilting.physics import Tilt, slide_tile
+    from stochgeom.tilting.posterior import (
+        credible_interval,
+        posterior_median,
+        predictive_check,
+        sample_matrices,
+        sampled_probabilities,
+    )
+    from stochgeom.tilting.robot import SimulatedRobot
+    from stochgeom.tilting.shortest_path import likeliest_tilts, shortest_path_tilt_plan
+    from stochgeom.tilting.states import TilePose, draw_tile_pose, tile_state
+    from stochgeom.tilting.tilt_plans import TiltPlan, evaluate_tilt_plan
+    from stochgeom.tilting.tray import TraySetup
+    from stochgeom.tilting.uncertain_plans import best_expected_tilt_plan, expected_probability
     from stochgeom.transfer.push import push_function
     from stochgeom.transfer.push_grasp import push_grasp_function
     from stochgeom.transfer.squeeze import squeeze_function
@@ -274,14 +304,52 @@ _HOMES = {
     "place_sensor": "sensing.sensor_design",
     "SensorPlan": "sensing.sensor_plan",
     "Sensor": "sensing.sensors",
+    "BetaDensity": "tilting.beta_density",
+    "FIGURES_G": "thesis.appendix_g",
+    "PRINTED_PLANS": "thesis.chapter_6",
+    "TilePose": "tilting.states",
+    "SimulatedRobot": "tilting.robot",
+    "Tilt": "tilting.physics",
+    "TiltPlan": "tilting.tilt_plans",
+    "TransitionCounts": "tilting.counts",
+    "TransitionModel": "tilting.estimation",
+    "TraySetup": "tilting.tray",
+    "best_expected_tilt_plan": "tilting.uncertain_plans",
+    "best_tilt_plan": "tilting.all_plans",
+    "best_tilt_plans": "tilting.all_plans",
+    "bounded_tilt_search": "tilting.bounded_search",
+    "calibrate_tilt_plans": "tilting.experiment",
+    "credible_interval": "tilting.posterior",
+    "evaluate_tilt_plan": "tilting.tilt_plans",
+    "expected_probability": "tilting.uncertain_plans",
+    "figure_6_4_model": "thesis.chapter_6",
+    "load_recording": "io.recordings",
+    "measure_tilt_plans": "tilting.experiment",
+    "posterior_median": "tilting.posterior",
+    "predictive_check": "tilting.posterior",
+    "sample_matrices": "tilting.posterior",
+    "sampled_probabilities": "tilting.posterior",
+    "shortest_path_tilt_plan": "tilting.shortest_path",
+    "slide_tile": "tilting.physics",
+    "tile_state": "tilting.states",
+    "trials_study": "tilting.experiment",
+    "wilson_interval": "tilting.intervals",
+    "SimulatedGripper": "tilting.gripper",
+    "random_grasps": "tilting.gripper",
+    "simulate_push_grasp": "tilting.gripper",
+    "simulate_squeeze": "tilting.gripper",
+    "likeliest_tilts": "tilting.shortest_path",
+    "draw_tile_pose": "tilting.states",
 }
 
 __all__ = [
     "EIGHTH_TURN",
     "FAMILIES",
+    "FIGURES_G",
     "FULL_TURN",
     "HALF_TURN",
     "INFINITE",
+    "PRINTED_PLANS",
     "QUARTER_TURN",
     "ZERO",
     "Action",
@@ -292,6 +360,7 @@ __all__ = [
     "AngleVector",
     "Arc",
     "CalibrationProblem",
+    "BetaDensity",
     "CallablePrior",
     "CellSet",
     "ClosedArc",
@@ -350,12 +419,20 @@ __all__ = [
     "SensingProblem",
     "Sensor",
     "SensorPlan",
+    "SimulatedGripper",
+    "SimulatedRobot",
     "Sinusoid",
     "SqueezeStability",
     "StableGrasp",
     "StepFunction",
     "StochgeomError",
     "SumQuotient",
+    "TilePose",
+    "Tilt",
+    "TiltPlan",
+    "TransitionCounts",
+    "TransitionModel",
+    "TraySetup",
     "TurnRatio",
     "TwoArgmins",
     "UncertainGrasps",
@@ -366,6 +443,11 @@ __all__ = [
     "antipodal_pairs",
     "best_action",
     "calibration_problem",
+    "best_expected_tilt_plan",
+    "best_tilt_plan",
+    "best_tilt_plans",
+    "bounded_tilt_search",
+    "calibrate_tilt_plans",
     "catalogue_names",
     "catalogue_part",
     "cells_between",
@@ -390,6 +472,17 @@ __all__ = [
     "iterative_sensor_plan",
     "load_part",
     "load_problem",
+    "credible_interval",
+    "draw_tile_pose",
+    "evaluate_tilt_plan",
+    "expected_probability",
+    "figure_6_4_model",
+    "from_float_exact",
+    "from_float_shortest",
+    "likeliest_tilts",
+    "load_part",
+    "load_recording",
+    "measure_tilt_plans",
     "most_stable_grasps",
     "observed_policy",
     "one_step_plan",
@@ -402,6 +495,8 @@ __all__ = [
     "plan_transfer",
     "plan_weighing_grasps",
     "planning_problem_of",
+    "posterior_median",
+    "predictive_check",
     "preimages",
     "problem_document",
     "push_function",
@@ -418,16 +513,29 @@ __all__ = [
     "sensor_plan",
     "sign_of_form",
     "simulated_difference",
+    "random_grasps",
+    "rational",
+    "read_outline",
+    "sample_matrices",
+    "sampled_probabilities",
+    "shortest_path_tilt_plan",
+    "sign_of_form",
+    "simulate_push_grasp",
+    "simulate_squeeze",
+    "slide_tile",
     "squeeze_function",
     "stability_costs",
     "stable_grasps",
+    "tile_state",
     "tolerance_of",
     "two_argmins",
+    "trials_study",
     "uniform_prior",
     "union_arcs",
     "union_measure",
     "verify_plan",
     "write_pomdp",
+    "wilson_interval",
 ]
 
 

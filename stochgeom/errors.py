@@ -196,6 +196,19 @@ class SensorError(ProblemError):
 
 class ImpossibleReadingError(SensorError):
     """A reading has probability zero, so that it has no posterior."""
+# --- tray tilting --------------------------------------------------------------------------------
+
+
+class TrayError(InputError):
+    """A tray, a tile, a gripper or the way they are simulated is none that there can be."""
+
+
+class RecordingError(InputError):
+    """A recording names a state or an action that does not exist, or a count that is none."""
+
+
+class SimulationError(StochgeomError):
+    """A simulated trial did not end inside the tray and at rest."""
 
 
 # --- reading and writing -------------------------------------------------------------------------

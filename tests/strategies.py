@@ -23,6 +23,8 @@ from stochgeom.exact.cells import CellSet
 from stochgeom.exact.fields import RealField, quadratic_field, regular_polygon_field
 from stochgeom.exact.scalars import common_denominator
 from stochgeom.geometry.part import Part
+from stochgeom.tilting.counts import TransitionCounts
+from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
 
@@ -599,3 +601,25 @@ def likelihoods(draw: st.DrawFn, states: int, *, readings: int = 3) -> list[list
 
 look_prices = st.sampled_from([0, 0, 0, Fraction(1, 4), 1])
 """Costs of a look; most are free."""
+# --- tray tilting --------------------------------------------------------------------------------
+
+
+@st.composite
+def transition_models(
+    draw: st.DrawFn, most_states: int = 4, most_actions: int = 3
+) -> TransitionModel:
+    """Few states, few tilts, counts from 0 to 3: rows alike, never observed, and sure."""
+    states, actions = draw(st.integers(1, most_states)), draw(st.integers(1, most_actions))
+    width = states + draw(st.booleans())
+    table = st.lists(st.integers(0, 3), min_size=width, max_size=width)
+    counts = [[draw(table) for _ in range(states)] for _ in range(actions)]
+    alpha = draw(st.sampled_from([Fraction(1, 100), Fraction(1), Fraction(7, 3)]))
+    return TransitionModel(TransitionCounts(counts), alpha)
+
+
+@st.composite
+def tilt_instances(draw: st.DrawFn) -> tuple[TransitionModel, int, int]:
+    """A model, a start and a goal, now and then the same state."""
+    model = draw(transition_models())
+    state = st.integers(1, model.counts.states)
+    return model, draw(state), draw(state)

@@ -23,6 +23,7 @@ from stochgeom.cli import (
     plan_command,
     sense_command,
     table_command,
+    tilt_command,
     verify_command,
 )
 from stochgeom.cli.output import write_json
@@ -39,6 +40,7 @@ _COMMANDS = (
     audit_command,
     table_command,
     parts_command,
+    tilt_command,
 )
 
 # Options whose value may begin with a minus: argparse would take "-1,2" for an option.

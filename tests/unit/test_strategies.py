@@ -315,3 +315,13 @@ def test_cell_sets_have_points_gaps_and_whole_circles():
     assert share(found, lambda cells: any(not item.width for item in cells)) > 0.1
     assert share(found, lambda cells: any(item.is_closed and item.width for item in cells)) > 0.1
     assert share(found, lambda cells: any(not item.includes_start for item in cells)) > 0.2
+# --- tray tilting --------------------------------------------------------------------------------
+
+
+def test_models_have_rows_never_observed_and_rows_alike():
+    found = [model for model, _, _ in sample(strategies.tilt_instances())]
+    assert share(found, lambda model: model.undefined_rows) > 0.1
+    assert share(found, lambda model: model.counts.has_other) > 0.2
+    assert share(found, lambda model: model.counts.states > 1) > 0.4
+    rows = [[tuple(row) for matrix in model.counts.table for row in matrix] for model in found]
+    assert share(rows, lambda listed: len(set(listed)) < len(listed)) > 0.1
