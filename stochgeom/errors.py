@@ -196,6 +196,8 @@ class SensorError(ProblemError):
 
 class ImpossibleReadingError(SensorError):
     """A reading has probability zero, so that it has no posterior."""
+
+
 # --- tray tilting --------------------------------------------------------------------------------
 
 

@@ -68,7 +68,7 @@ def test_exact_diameters_and_radii_of_the_pentagon():
 
 @pytest.mark.parametrize("n", range(3, 13))
 def test_the_diameter_is_known_wherever_an_edge_is_flush(n):
-    # Chords may be rational where the orientation is not, as that of the hexagon's upright diagonal.
+    # Chords may be rational where the orientation is not: the hexagon's upright diagonal.
     diameter = DiameterFunction(Part.regular(n))
     for theta in (*diameter.transitions, *diameter.maxima):
         value = mpmath.mpf(float(diameter.squared(theta)))

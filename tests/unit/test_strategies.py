@@ -315,6 +315,8 @@ def test_cell_sets_have_points_gaps_and_whole_circles():
     assert share(found, lambda cells: any(not item.width for item in cells)) > 0.1
     assert share(found, lambda cells: any(item.is_closed and item.width for item in cells)) > 0.1
     assert share(found, lambda cells: any(not item.includes_start for item in cells)) > 0.2
+
+
 # --- tray tilting --------------------------------------------------------------------------------
 
 
