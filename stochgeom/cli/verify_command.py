@@ -10,6 +10,7 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
+from stochgeom.feeding import field_certificate_checker as any_checker
 from stochgeom.io.load import load_part
 
 _EPILOG = """\
@@ -23,6 +24,7 @@ The checker is one file that imports nothing of the package; it can be run by it
   python certificate_checker.py plan.json
 
 It is {path}
+For parts over a field, such as regular polygons, it takes {field_checker} beside it.
 """
 
 
@@ -34,7 +36,7 @@ def add_parser(commands: Any) -> None:
         description="Check a certificate written by `stochgeom plan --certificate`: every claim "
         "is computed anew, and the first that fails is named. Or run a list of angles on a part "
         "and report what it does. Exit code 1 if a claim fails.",
-        epilog=_EPILOG.format(path=checker.__file__),
+        epilog=_EPILOG.format(path=checker.__file__, field_checker=Path(any_checker.__file__).name),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate")
@@ -96,8 +98,8 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
 
 def _verify_certificate(path: str, wants_json: bool) -> int:
     try:
-        document = checker.load(_read(path))
-        checker.check(document)
+        document = any_checker.load(_read(path))
+        any_checker.check(document)
     except checker.NoCertificateError as error:
         raise FormatError(
             f"no certificate: {error}; accepted: what `stochgeom plan --certificate` writes",
