@@ -19,8 +19,9 @@ from stochgeom.errors import NumberLimitError
 from stochgeom.exact.algebraic import Algebraic
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.balls import working_precision
+from stochgeom.exact.directions import simplest_fraction
 from stochgeom.exact.forms import sign_of_form
-from stochgeom.exact.surds import scalar_text
+from stochgeom.exact.surds import rational_bounds, scalar_text
 from stochgeom.feeding import certificate_checker, certified_transfer
 from stochgeom.feeding import field_certificate_checker as checker
 from stochgeom.feeding.certificate_checker import InvalidClaimError, NoCertificateError
@@ -65,14 +66,20 @@ def test_signs_are_those_of_the_library(drawn):
 
 @pytest.mark.parametrize("field", FIELDS, ids=str)
 def test_numbers_that_are_nearly_zero(field):
-    """Below the first enclosures, and far above the bound that shows a zero."""
-    a, b = numbers_of(field, field_root(field), 1 + 0 * field_root(field))
-    with working_precision(600):
-        ratio = field.generator_ball() * 10**100
-        nearest = int(ratio.floor().unique_fmpz())
-    assert (a * 10**100 - b * nearest).sign() == 1
-    assert (a * 10**100 - b * (nearest + 1)).sign() == -1
-    assert (a * 10**100 - a * (10**50) * (10**50)).sign() == 0
+    """Powers of q g - p for a close fraction p / q: below the first enclosures, but no zeros."""
+    g = field_root(field)
+    near = simplest_fraction(*rational_bounds(g, 160))
+    p, q = int(near.numerator), int(near.denominator)
+    a, b = numbers_of(field, g, 1 + 0 * g)
+    small = a * q - b * p
+    power = small * small * small
+    value, error = power.enclose(checker.START_BITS)
+    assert abs(value) <= error
+    assert power.sign() == (g * q - p).sign() != 0
+    # The same number by another way, and one that differs from it by 1.
+    again = small * small * (a * q) - small * small * (b * p)
+    assert (power - again).sign() == 0
+    assert (power - again + 1).sign() == 1
 
 
 def field_root(field):
