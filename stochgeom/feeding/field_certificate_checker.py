@@ -367,9 +367,10 @@ class Reader:
             return claimed
         found = self.read_angle(claimed, place)
         if base.compare(found, true):
-            near, right = (float(Fraction(45 * in_eighths(a, 64), 2**64)) for a in (found, true))
-            text = f"claimed about {near:.9g} degrees, but about {right:.9g} holds"
-            raise base.InvalidClaimError(place, text)
+            near, right = (f"{45 * in_eighths(a, 64) / 2**64:.9g}" for a in (found, true))
+            claim = "another angle as near" if near == right else f"about {near} degrees"
+            holds = f"about {right}" + (" degrees" if near == right else "")
+            raise base.InvalidClaimError(place, f"claimed {claim}, but {holds} holds")
         return claimed
 
     def cost_sign(self, p: Fraction, a: base.Angle, q: Fraction, b: base.Angle) -> int:
