@@ -113,12 +113,10 @@ def agree(claimed: Any, true: Any, symbols: Any) -> bool:
 def is_true(mutant: Json, original: Json) -> bool:
     """Tell whether a mutant, which differs from a true certificate, is true as well."""
     try:
-        field, symbols = symbols_of(mutant)
+        _, symbols = symbols_of(mutant)
         if word_for_word(given_facts(mutant)) == word_for_word(given_facts(original)):
             return agree(mutant, original, symbols)
-        document = library_certificate(mutant, symbols)
-        described = word_for_word(mutant["part"]["field"]) == word_for_word(field.description())
-        return described and agree(mutant, document, symbols)
+        return agree(mutant, library_certificate(mutant, symbols), symbols)
     except (StochgeomError, LookupError, TypeError, ValueError, AttributeError, AssertionError):
         return False
 
@@ -139,7 +137,7 @@ def library_certificate(mutant: Json, symbols: Any) -> Json:
     document = plan.certificate()
     numbers = [outline.index(corner) for corner in corners]
     renumber(document, numbers)
-    document["part"] = {key: part[key] for key in ("name", "vertices", "field")}
+    document["part"] |= {key: part[key] for key in ("name", "vertices")}
     if center is not None:
         document["part"]["center_of_mass"] = part["center_of_mass"]
     actions = zip(plan.actions, document["plan"]["actions"], nominal, strict=True)
