@@ -28,6 +28,7 @@ NAMES = (
     "decision",
     "sensor_trees",
     "tilting",
+    "field_certificates",
 )
 
 

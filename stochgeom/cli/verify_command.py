@@ -10,6 +10,7 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
+from stochgeom.feeding import field_certificate_checker as any_checker
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
 from stochgeom.io.load import load_part
 
@@ -26,6 +27,7 @@ The checker is one file that imports nothing of the package; it can be run by it
   python certificate_checker.py plan.json
 
 It is {path}
+For parts over a field, such as regular polygons, it takes {field_checker} beside it.
 """
 
 # Options that say nothing about a certificate.
@@ -50,7 +52,7 @@ def add_parser(commands: Any) -> None:
         "is computed anew, and the first that fails is named. Or run a list of angles on a part "
         "and report what it does. Exit code 1 if a claim fails, or is not proven for parts with "
         "the vertex error.",
-        epilog=_EPILOG.format(path=checker.__file__),
+        epilog=_EPILOG.format(path=checker.__file__, field_checker=Path(any_checker.__file__).name),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate")
@@ -134,8 +136,8 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
 
 def _verify_certificate(path: str, wants_json: bool) -> int:
     try:
-        document = checker.load(_read(path))
-        checker.check(document)
+        document = any_checker.load(_read(path))
+        any_checker.check(document)
     except checker.NoCertificateError as error:
         raise FormatError(
             f"no certificate: {error}; accepted: what `stochgeom plan --certificate` writes",

@@ -72,6 +72,11 @@ def argument_ball(x: Any, y: Any) -> Ball:
     return ball + 1 if y < 0 else ball
 
 
+def tangent_ball(turns: Any) -> Ball:
+    """Enclose the tangent of a rational number of turns that is no odd number of quarters."""
+    return (rational_ball(turns) * full_turn_ball()).tan()
+
+
 def ball_sign(ball: Ball) -> int | None:
     """Return the sign of the number in the ball, or None while the ball does not tell."""
     if ball > 0:

@@ -3,9 +3,9 @@
 A plan's actions may be any angle of an interval; people want one near its middle, machines want
 one of few digits. Nothing here decides: every angle returned lies inside the interval by exact
 comparison. Between rational directions, and between rational numbers of turns, all of it is
-integer arithmetic, so it is the same on every machine; between one of either kind, sums of both,
-or directions over a field, ball arithmetic bounds the interval, and the answer is a rational number
-of turns.
+integer arithmetic, so it is the same on every machine. Otherwise ball arithmetic bounds the
+interval: between one of either kind, or sums of both, the answer is a rational number of turns;
+where a direction over a field is an end, it is a rational direction, which every field has.
 """
 
 from __future__ import annotations
@@ -15,7 +15,13 @@ from gmpy2 import isqrt, mpq, mpz
 from stochgeom.errors import InvalidArcError
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle, make_angle
-from stochgeom.exact.balls import START_BITS, exact_value, rational_ball, working_precision
+from stochgeom.exact.balls import (
+    START_BITS,
+    exact_value,
+    rational_ball,
+    tangent_ball,
+    working_precision,
+)
 from stochgeom.exact.predicates import half_plane
 
 _BITS = 16  # halves are right to about one part in 2**_BITS
@@ -43,7 +49,7 @@ def nominal_angle(low: Angle, high: Angle) -> Angle:
     """
     width = _width(low, high)
     if not _are_directions(low, high):
-        return _simplest_turns(low, high, mpq(3, 8), mpq(5, 8))
+        return _simplest_by_enclosure(low, high, mpq(3, 8), mpq(5, 8))
     middle = low + _half(width)
     eighth = _half(_half(_half(width)))
     angle = simplest_between(middle - eighth, middle + eighth)
@@ -90,7 +96,7 @@ def just_above(low: Angle, high: Angle) -> Angle:
     """Return an angle above `low` by less than a 2**-20th of the way to `high`."""
     width = _width(low, high)
     if not _are_directions(low, high):
-        return _simplest_turns(low, high, mpq(1, 2**21), mpq(3, 2**22))
+        return _simplest_by_enclosure(low, high, mpq(1, 2**21), mpq(3, 2**22))
     for _ in range(21):
         width = _half(width)
     angle = simplest_between(low + _half(width), low + width)
@@ -194,23 +200,43 @@ def _half(width: Angle) -> Angle:
     return make_angle(0, n + x, y) if y > 0 else make_angle(0, -n - x, -y)
 
 
-def _simplest_turns(low: Angle, high: Angle, first: mpq, last: mpq) -> Angle:
-    """Return the simplest rational number of turns between two shares of the way."""
+def _simplest_by_enclosure(low: Angle, high: Angle, first: mpq, last: mpq) -> Angle:
+    """Return the simplest number of turns, or direction, between two shares of the way."""
     start, end = low.rational_turns, high.rational_turns
     if start is not None and end is not None:
         width = end - start
         return Angle.from_turns(_simplest_rational(start + width * first, start + width * last))
+    over_a_field = is_algebraic(low.direction[0]) or is_algebraic(high.direction[0])
     bits = START_BITS
     while True:
         with working_precision(bits):
             ball, way = low.ball(), (high - low).ball()
             a = exact_value((ball + way * rational_ball(first)).upper())
             b = exact_value((ball + way * rational_ball(last)).lower())
-        if a < b:
-            angle = Angle.from_turns(_simplest_rational(a, b))
-            if low < angle < high:
-                return angle
+            angle = None
+            if a < b:
+                turns = _simplest_direction if over_a_field else _simplest_turns
+                angle = turns(a, b)
+        if angle is not None and low < angle < high:
+            return angle
         bits *= 2
+
+
+def _simplest_turns(low: mpq, high: mpq) -> Angle:
+    return Angle.from_turns(_simplest_rational(low, high))
+
+
+def _simplest_direction(low: mpq, high: mpq) -> Angle | None:
+    """Return the simplest direction between two numbers of turns; None if precision is short."""
+    quarters = int(4 * low // 1)
+    if 4 * high >= quarters + 1:
+        return _turn_quarters(quarters + 1, mpz(1), mpz(0))
+    rise, fall = (tangent_ball(turns - mpq(quarters, 4)) for turns in (low, high))
+    first, last = exact_value(rise.upper()), exact_value(fall.lower())
+    if not 0 <= first < last:
+        return None
+    slope = simplest_fraction(first, last)
+    return _turn_quarters(quarters, slope.denominator, slope.numerator)
 
 
 def _simplest_rational(low: mpq, high: mpq) -> mpq:

@@ -252,16 +252,16 @@ def regular_polygon_field(n: int) -> RealField | None:
     Raises
     ------
     NumberLimitError
-        If n is above `MAX_ORDER`.
+        If n is below 3 or above `MAX_ORDER`.
 
     Examples
     --------
     >>> regular_polygon_field(10), regular_polygon_field(97).degree, regular_polygon_field(6)
     (regular_polygon_field(5), 48, quadratic_field(3))
     """
-    if n > MAX_ORDER:
+    if not 3 <= n <= MAX_ORDER:
         raise NumberLimitError(
-            f"the field of the regular {n}-gon; accepted: up to {MAX_ORDER} vertices"
+            f"the field of the regular {n}-gon; accepted: 3 up to {MAX_ORDER} vertices"
         )
     if n == 4:
         return None

@@ -15,12 +15,14 @@ import json
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Final, final
+from typing import Any, Final, final
 
 from stochgeom.errors import InputError
-from stochgeom.exact.scalars import RationalLike, rational_text
-from stochgeom.feeding import certificate_checker
+from stochgeom.exact.scalars import RationalLike
+from stochgeom.exact.surds import scalar_text
+from stochgeom.feeding import field_certificate_checker as checker
 from stochgeom.feeding.adversarial import FAMILIES, Family, families_named
+from stochgeom.feeding.certificate_checker import InvalidClaimError
 from stochgeom.feeding.certificates import certificate
 from stochgeom.feeding.exhaustive import first_disagreement, search_plans
 from stochgeom.feeding.plans import FeedingPlan
@@ -259,9 +261,9 @@ def _wrong_with(plan: FeedingPlan, optimal: FeedingPlan, shortest: FeedingPlan) 
     """Return what the checker says against a plan's certificate, sent through its JSON text."""
     text = json.dumps(certificate(plan))
     try:
-        document = certificate_checker.load(text.encode())
-        certificate_checker.check(document)
-    except certificate_checker.InvalidClaimError as error:
+        document = checker.load(text.encode())
+        checker.check(document)
+    except InvalidClaimError as error:
         return f"the certificate of the plan of {plan.steps} steps: {error}"
     # A certificate may truly say that its plan is not the best one.
     claims = document["plan"]
@@ -304,15 +306,17 @@ def reproduction(part: Part, family: str, size: int, seed: int, message: str) ->
     >>> sorted(json.loads(text))
     ['family', 'message', 'name', 'schema', 'seed', 'size', 'vertices']
     """
-    document = {
+    document: dict[str, Any] = {
         "schema": SCHEMA,
         "family": family,
         "size": size,
         "seed": seed,
         "message": message,
         "name": part.name,
-        "vertices": [[rational_text(x), rational_text(y)] for x, y in part.vertices],
+        "vertices": [[scalar_text(x), scalar_text(y)] for x, y in part.vertices],
     }
+    if part.field is not None:
+        document["field"] = part.field.description()
     return json.dumps(document, indent=1) + "\n"
 
 

@@ -15,7 +15,9 @@ cross itself is no claim: jaws touch the hull only. Nor is the centre of mass: t
 density and holes.)
 
 An angle is (t, x, y): t turns plus the argument of x + i y in [0, 360) degrees, in whole numbers, x
-and y coprime. At the orientation (t, x, y) a point p of the part stands at p (x + i y).
+and y coprime. At the orientation (t, x, y) a point p of the part stands at p (x + i y). Where the
+coordinates are numbers of a real algebraic field, x and y are as well: `field_certificate_checker`,
+beside this file, brings the arithmetic for these, and everything from the hull on is the same.
 """
 
 from __future__ import annotations
@@ -25,19 +27,21 @@ import math
 import re
 import sys
 from bisect import bisect_left, bisect_right
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from functools import cmp_to_key, reduce
 from heapq import nsmallest
 from pathlib import Path
 from reprlib import repr as shortened
-from typing import Any
+from typing import Any, NamedTuple
 
 SCHEMA = "stochgeom/certificate/1"
 MAX_BYTES = 2**26
 MAX_DIGITS = 2**16
-Angle = tuple[int, int, int]
-Corner = tuple[int, int, int]  # vertex number, x, y
+Angle = tuple[int, Any, Any]
+Corner = tuple[int, Any, Any]  # vertex number, x, y
+CostSign = Callable[[Fraction, Angle, Fraction, Angle], int]
 
 
 class InvalidClaimError(Exception):
@@ -51,10 +55,13 @@ class NoCertificateError(InvalidClaimError):
     """What was read is no certificate of this schema."""
 
 
-def argument_sign(ax: int, ay: int, bx: int, by: int) -> int:
+def argument_sign(ax: Any, ay: Any, bx: Any, by: Any) -> int:
     """Return the sign of arg a - arg b, both in [0, 360) degrees."""
     a, b = ay < 0 or (ay == 0 and ax < 0), by < 0 or (by == 0 and bx < 0)
-    return a - b or (ay * bx > ax * by) - (ay * bx < ax * by)
+    if a is not b:
+        return 1 if a else -1
+    cross = ay * bx - ax * by
+    return 1 if cross > 0 else -1 if cross < 0 else 0
 
 
 def compare(a: Angle, b: Angle) -> int:
@@ -65,8 +72,10 @@ def compare(a: Angle, b: Angle) -> int:
 ORDER = cmp_to_key(compare)
 
 
-def angle(turns: int, x: int, y: int) -> Angle:
-    """Return the angle with x and y made coprime."""
+def angle(turns: int, x: Any, y: Any) -> Angle:
+    """Return the angle with x and y made coprime; as they are if they are no whole numbers."""
+    if type(x) is not int:
+        return turns, x, y
     g = math.gcd(x, y)
     return turns, x // g, y // g
 
@@ -74,7 +83,7 @@ def angle(turns: int, x: int, y: int) -> Angle:
 def add(a: Angle, b: Angle) -> Angle:
     """Return a + b: a turn is full if the argument of the product is below a factor's."""
     x, y = a[1] * b[1] - a[2] * b[2], a[1] * b[2] + a[2] * b[1]
-    return angle(a[0] + b[0] + (argument_sign(x, y, *a[1:]) < 0), x, y)
+    return angle(a[0] + b[0] + (argument_sign(x, y, *b[1:]) < 0), x, y)
 
 
 def sub(a: Angle, b: Angle) -> Angle:
@@ -96,7 +105,7 @@ def floor_eighths(a: Angle) -> int:
         x, y, n = -x, -y, 4
     if x <= 0:
         x, y, n = y, -x, n + 2
-    return 8 * t + n + (y >= x)
+    return 8 * t + n + int(y >= x)
 
 
 def remainder(a: Angle, e: int) -> Angle:
@@ -112,13 +121,12 @@ def whole(points: list[tuple[Fraction, Fraction]]) -> list[Corner]:
 
 def convex_hull(points: list[Corner]) -> list[Corner]:
     """Return the strict corners, counter-clockwise, from the one of smallest number."""
-    numbered: dict[tuple[int, int], int] = {}
-    for k, x, y in points:
-        numbered.setdefault((x, y), k)  # of repeated ones, the first
-    corners = sorted((x, y, k) for (x, y), k in numbered.items())
+    ordered = sorted((x, y, k) for k, x, y in points)
+    # Of repeated ones, the first in the outline.
+    corners = [c for k, c in enumerate(ordered) if not k or c[:2] != ordered[k - 1][:2]]
     halves = []
     for row in (corners, corners[::-1]):
-        chain: list[tuple[int, int, int]] = []
+        chain: list[tuple[Any, Any, int]] = []
         for c in row:
             while len(chain) > 1 and cross(chain[-2], chain[-1], c) <= 0:
                 chain.pop()
@@ -130,7 +138,7 @@ def convex_hull(points: list[Corner]) -> list[Corner]:
     return [(k, x, y) for x, y, k in halves[start:] + halves[:start]]
 
 
-def cross(a: tuple[int, int, int], b: tuple[int, int, int], c: tuple[int, int, int]) -> int:
+def cross(a: tuple[Any, ...], b: tuple[Any, ...], c: tuple[Any, ...]) -> Any:
     """Return twice the signed area of a triangle."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
@@ -144,12 +152,12 @@ def contacts(hull: list[Corner], a: Angle) -> tuple[list[Corner], list[Corner]]:
     return lower, upper
 
 
-def height(corner: Corner, a: Angle) -> int:
+def height(corner: Corner, a: Angle) -> Any:
     """Return the height of a corner over the origin."""
     return corner[1] * a[2] + corner[2] * a[1]
 
 
-def along(corner: Corner, a: Angle) -> int:
+def along(corner: Corner, a: Angle) -> Any:
     """Return the position of a corner along the jaws."""
     return corner[1] * a[1] - corner[2] * a[2]
 
@@ -163,9 +171,9 @@ def extrema(hull: list[Corner]) -> tuple[list[Angle], list[Angle]]:
     falls to zero where the chord of the contacts stands upright.
     """
     edges = zip(hull, hull[1:] + hull[:1], strict=True)
-    flush = {remainder(angle(0, b[1] - a[1], a[2] - b[2]), 4) for a, b in edges}
+    flush = sorted((remainder(angle(0, b[1] - a[1], a[2] - b[2]), 4) for a, b in edges), key=ORDER)
     maxima, minima = [], []
-    turns = sorted(flush, key=ORDER)
+    turns = [a for k, a in enumerate(flush) if not k or compare(flush[k - 1], a)]
     for here, following in zip(turns, [*turns[1:], add(turns[0], eighths(4))], strict=True):
         lower, upper = contacts(hull, here)
         before = along(upper[0], here) - along(lower[-1], here)
@@ -200,42 +208,45 @@ def radius_extrema(hull: list[Corner], center: Corner) -> tuple[list[Angle], lis
 
 
 class StepMap:
-    """A monotone step map: b_k and v_k for all whole k, period e eighths of a turn.
+    """A monotone step map: b_k and v_k for all whole k, the same again after e eighths of a turn.
 
     Made of the breaks and values of e eighths, the first value being that of the first break.
-    Values that are equal become one step: `kept` are the numbers of the breaks that remain. Then
-    the period is cut to the smallest one.
+    Values that are equal become one step: `kept` are the numbers of the breaks that remain, `rows`
+    the breaks and values. The first m of them, `breaks` and `values`, are those of the smallest
+    `period`.
     """
 
     def __init__(self, breaks: list[Angle], values: list[Angle], e: int) -> None:
         before = [sub(values[-1], eighths(e)), *values]
-        self.kept = [k for k, value in enumerate(values) if value != before[k]]
-        rows = [[row[k] for k in self.kept] for row in (breaks, values)]
+        self.e, self.kept = e, [k for k, value in enumerate(values) if compare(value, before[k])]
+        self.rows = [[row[k] for k in self.kept] for row in (breaks, values)]
         n = len(self.kept)
-        # Rational directions differ by whole eighths of a turn or by irrational turns, so no
-        # other periods come into question.
-        for parts in (8, 4, 2, 1):
-            self.e, self.m = e // parts, n // parts
-            pairs = [pair for row in rows for pair in zip(row, row[self.m :], strict=False)]
-            whole = e % parts == 0 and n % parts == 0
-            if whole and all(b == add(a, eighths(self.e)) for a, b in pairs):
+        # Every m steps, all must have turned alike; after all n, they have.
+        for m in (m for m in range(1, n + 1) if n % m == 0):
+            turned = (sub(self.at(row, k + m), row[k]) for row in self.rows for k in range(n))
+            self.m, self.period = m, next(turned)
+            if not any(compare(other, self.period) for other in turned):
                 break
-        self.breaks, self.values = (row[: self.m] for row in rows)
+        self.breaks, self.values = (row[: self.m] for row in self.rows)
 
     def at(self, row: list[Angle], k: int) -> Angle:
-        """Return entry k of a row that repeats with the period."""
-        return add(row[k % self.m], eighths(k // self.m * self.e))
+        """Return entry k of one of the rows."""
+        return add(row[k % len(row)], eighths(k // len(row) * self.e))
+
+    def value(self, k: int) -> Angle:
+        """Return v_k."""
+        return self.at(self.rows[1], k)
 
     def step(self, a: Angle, *, from_left: bool = False) -> int:
         """Return the number of the step at a, or just before a."""
         laps = floor_eighths(a) // self.e
         rest = ORDER(add(a, eighths(-laps * self.e)))
         search = bisect_left if from_left else bisect_right
-        return laps * self.m + search(self.breaks, rest, key=ORDER) - 1
+        return laps * len(self.kept) + search(self.rows[0], rest, key=ORDER) - 1
 
     def apply(self, a: Angle, *, from_left: bool = False) -> Angle:
         """Return s(a), or the value of s just before a."""
-        return self.at(self.values, self.step(a, from_left=from_left))
+        return self.value(self.step(a, from_left=from_left))
 
 
 def from_extrema(maxima: list[Angle], minima: list[Angle], e: int) -> StepMap:
@@ -256,7 +267,7 @@ def squeeze(hull: list[Corner]) -> tuple[StepMap, dict[str, Any]]:
     """Return the squeeze function, and what a certificate says of it."""
     s = from_extrema(*extrema(hull), 4)
     breaks, values = (touching(hull, row) for row in (s.breaks, s.values))
-    return s, {"period": eighths(s.e), "breaks": breaks, "values": values}
+    return s, {"period": s.period, "breaks": breaks, "values": values}
 
 
 def push(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
@@ -264,7 +275,7 @@ def push(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
     p = from_extrema(*radius_extrema(hull, center), 8)
     breaks, values = (touching(hull, row) for row in (p.breaks, p.values))
     return p, {
-        "period": eighths(p.e),
+        "period": p.period,
         "breaks": [{"angle": row["angle"], "vertex": row["lower"][0]} for row in breaks],
         "values": [{"angle": row["angle"], "edge": row["lower"]} for row in values],
     }
@@ -273,15 +284,13 @@ def push(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
 def push_grasp(hull: list[Corner], center: Corner) -> tuple[StepMap, dict[str, Any]]:
     """Return squeeze after push, by the numbers of their steps, and what a certificate says."""
     (p, push_claims), (s, squeeze_claims) = push(hull, center), squeeze(hull)
-    turn = range(p.m * (8 // p.e))
-    steps = [s.step(p.at(p.values, k)) for k in turn]
-    values = [s.at(s.values, step) for step in steps]
-    both = StepMap([p.at(p.breaks, k) for k in turn], values, 8)
+    steps = [s.step(value) for value in p.rows[1]]
+    both = StepMap(p.rows[0], [s.value(step) for step in steps], 8)
     numbered = list(zip(both.kept, both.breaks, both.values, strict=False))
     return both, {
         "push": push_claims,
         "squeeze": squeeze_claims,
-        "period": eighths(both.e),
+        "period": both.period,
         "breaks": [{"angle": b, "push_break": k} for k, b, _ in numbered],
         "values": [{"angle": v, "squeeze_value": steps[k]} for k, _, v in numbered],
     }
@@ -293,13 +302,13 @@ def preimages(s: StepMap) -> list[dict[str, Any]]:
     They begin at breaks: one pointer runs over the starts, one over the ends. Of equally wide ones
     the narrowest image wins, then the first start; the rival is the best of the other starts.
     """
-    b, v = ([s.at(row, k) for k in range(2 * s.m + 1)] for row in (s.breaks, s.values))
+    b, v = ([s.at(row, k) for k in range(2 * s.m + 1)] for row in s.rows)
 
     def order(p: Any, q: Any) -> int:
         return compare(q[0], p[0]) or compare(p[1], q[1])
 
     chain: list[dict[str, Any]] = []
-    while not chain or chain[-1]["width"] != eighths(s.e):
+    while not chain or compare(chain[-1]["width"], s.period):
         arcs, last = [], 0
         for first in range(s.m):
             last = max(last, first)
@@ -314,14 +323,13 @@ def preimages(s: StepMap) -> list[dict[str, Any]]:
     return chain
 
 
-def costs(chain: list[dict[str, Any]], c: Fraction) -> tuple[int, list[dict[str, Any]]]:
+def costs(rows: list[tuple[Fraction, Angle]], decide: CostSign) -> tuple[int, list[dict[str, Any]]]:
     """Return the best length, and each length's (i + c) and how its cost compares with the best."""
-    rows = [(i + c, arc["width"]) for i, arc in enumerate(chain, start=1)]
-    best = rows[0]
-    for p, a in rows[1:]:
-        best = (p, a) if cost_sign(p, a, *best) < 0 else best
-    signs = [{"numerator": text(p), "comparison": cost_sign(p, a, *best)} for p, a in rows]
-    return rows.index(best) + 1, signs
+    best = 0
+    for k, row in enumerate(rows):
+        best = k if decide(*row, *rows[best]) < 0 else best
+    signs = [{"numerator": text(p), "comparison": decide(p, a, *rows[best])} for p, a in rows]
+    return best + 1, signs
 
 
 def cost_sign(p: Fraction, a: Angle, q: Fraction, b: Angle) -> int:
@@ -363,9 +371,12 @@ def in_eighths(a: Angle, bits: int) -> int:
     """Return a / 45 degrees times 2**bits, off by less than 4."""
     one, whole = 1 << (bits + 64), floor_eighths(a)
     _, x, y = add(a, eighths(-whole))
-    # A term of a series costs a few roundings; 64 spare bits cover 2**50 of them.
-    eighth = 4 * arctan(one // 5, one) - arctan(one // 239, one)
-    return (whole << bits) + ((arctan(y * one // x, one) * one // eighth) >> 64)
+    return (whole << bits) + ((arctan(y * one // x, one) * one // eighth_turn(one)) >> 64)
+
+
+def eighth_turn(one: int) -> int:
+    """Return about one * pi / 4; here and in `arctan`, 64 spare bits cover 2**50 roundings."""
+    return 4 * arctan(one // 5, one) - arctan(one // 239, one)
 
 
 def arctan(t: int, one: int) -> int:
@@ -408,7 +419,7 @@ def run_forward(s: StepMap, chain: list[dict[str, Any]], plan: list[dict[str, An
 
     def collapses(ends: list[Angle], alphas: list[Angle]) -> bool:
         low, high = reduce(act, alphas, ends)  # a turn apart, they would not be one
-        return low == high and remainder(low, 8) == goal
+        return compare(low, high) == 0 == compare(remainder(low, 8), goal)
 
     first = above = [s.apply(start), s.apply(end, from_left=True)]
     for k, action in enumerate(plan[1:], start=1):
@@ -420,63 +431,11 @@ def run_forward(s: StepMap, chain: list[dict[str, Any]], plan: list[dict[str, An
         raise InvalidClaimError("plan", "does not collapse the mouth")
 
 
-def certify(document: Any) -> dict[str, Any]:
-    """Return what a certificate must say, given its outline, cost ratio, steps and angles.
-
-    The centre of mass is given as well where the action is push-grasp.
-    """
-    part, plan = read(document, "part", dict), read(document, "plan", dict)
-    if not isinstance(name := part.get("name"), str | None):
-        raise NoCertificateError("part.name", f"{shown(name)} is neither text nor null")
-    pairs = read(part, "part.vertices", list)
-    points = [read_point(pair, f"part.vertices.{k}") for k, pair in enumerate(pairs)]
-    if (action := document.get("action")) not in ("squeeze", "push-grasp"):
-        raise InvalidClaimError("action", f"claimed {shown(action)}, no squeeze or push-grasp")
-    if pushed := action == "push-grasp":
-        pair = read(part, "part.center_of_mass", list)
-        points.append(read_point(pair, "part.center_of_mass"))
-    corners = whole(points)
-    cost_ratio = rational(read(document, "cost_ratio", str), "cost_ratio")
-    if cost_ratio < 0:
-        raise InvalidClaimError("cost_ratio", "negative")
-    hull = convex_hull(corners[: len(pairs)])
-    s, transfer = push_grasp(hull, corners[-1]) if pushed else squeeze(hull)
-    chain = preimages(s)
-    best, compared = costs(chain, cost_ratio)
-    steps = read(plan, "plan.steps", int)
-    if not 1 <= steps <= len(chain):
-        raise InvalidClaimError("plan.steps", f"not in 1 to {len(chain)}")
-    used = chain[:steps]
-    claimed = enumerate(read(plan, "plan.actions", list))
-    nominal = [read_angle(action, f"plan.actions.{k}.angle") for k, action in claimed]
-    listed = actions(used, nominal)
-    run_forward(s, used, listed)
-    return {
-        "schema": SCHEMA,
-        "action": action,
-        "part": {"name": name, "vertices": pairs} | ({"center_of_mass": pair} if pushed else {}),
-        "hull": [k for k, _, _ in hull],
-        **transfer,
-        "preimages": chain,
-        "cost_ratio": document["cost_ratio"],
-        "costs": compared,
-        "optimal_steps": best,
-        "plan": {
-            "steps": steps,
-            "mouth": {"start": used[-1]["start"], "width": used[-1]["width"]},
-            "actions": listed,
-            "final_orientation": chain[0]["image_start"],
-            "optimal": steps == best,
-            "orients_up_to_symmetry": steps == len(chain),
-        },
-    }
-
-
-def read_point(pair: Any, place: str) -> tuple[Fraction, Fraction]:
-    """Read two rational numbers."""
+def read_point(pair: Any, place: str, read_number: Callable[[Any, str], Any]) -> tuple[Any, Any]:
+    """Read two coordinates."""
     if not isinstance(pair, list) or len(pair) != 2:
         raise NoCertificateError(place, f"{shown(pair)} is no pair")
-    return rational(pair[0], place), rational(pair[1], place)
+    return read_number(pair[0], place), read_number(pair[1], place)
 
 
 def read(value: Any, place: str, kind: type) -> Any:
@@ -512,15 +471,89 @@ def read_angle(action: Any, place: str) -> Angle:
     return angle(read(found, f"{place}.turns", int), int(pair[0]), int(pair[1]))
 
 
-def agree(claimed: Any, true: Any, place: str) -> None:
+def written(true: Angle, _claimed: Any, _place: str) -> Any:
+    """Return an angle as a document has to write it."""
+    return {"turns": true[0], "direction": [text(true[1]), text(true[2])]}
+
+
+class Numbers(NamedTuple):
+    """What differs between rational parts and those over a field: how to read, write, decide."""
+
+    schema: str
+    field: dict[str, Any]  # what the part's claims say of it
+    read: Callable[[Any, str], Any]
+    whole: Callable[[list[Any]], list[Corner]]
+    angle: Callable[[Any, str], Angle]
+    written: Callable[[Angle, Any, str], Any]
+    cost_sign: CostSign
+
+
+RATIONAL = Numbers(SCHEMA, {}, rational, whole, read_angle, written, cost_sign)
+
+
+def certify(document: Any, numbers: Numbers) -> dict[str, Any]:
+    """Return what a certificate must say, given its outline, cost ratio, steps and angles.
+
+    The centre of mass is given as well where the action is push-grasp.
+    """
+    part, plan = read(document, "part", dict), read(document, "plan", dict)
+    if not isinstance(name := part.get("name"), str | None):
+        raise NoCertificateError("part.name", f"{shown(name)} is neither text nor null")
+    pairs = read(part, "part.vertices", list)
+    points = [read_point(pair, f"part.vertices.{k}", numbers.read) for k, pair in enumerate(pairs)]
+    if (action := document.get("action")) not in ("squeeze", "push-grasp"):
+        raise InvalidClaimError("action", f"claimed {shown(action)}, no squeeze or push-grasp")
+    if pushed := action == "push-grasp":
+        pair = read(part, "part.center_of_mass", list)
+        points.append(read_point(pair, "part.center_of_mass", numbers.read))
+    corners = numbers.whole(points)
+    cost_ratio = rational(read(document, "cost_ratio", str), "cost_ratio")
+    if cost_ratio < 0:
+        raise InvalidClaimError("cost_ratio", "negative")
+    hull = convex_hull(corners[: len(pairs)])
+    s, transfer = push_grasp(hull, corners[-1]) if pushed else squeeze(hull)
+    chain = preimages(s)
+    rows = [(i + cost_ratio, arc["width"]) for i, arc in enumerate(chain, start=1)]
+    best, compared = costs(rows, numbers.cost_sign)
+    steps = read(plan, "plan.steps", int)
+    if not 1 <= steps <= len(chain):
+        raise InvalidClaimError("plan.steps", f"not in 1 to {len(chain)}")
+    used = chain[:steps]
+    claimed = enumerate(read(plan, "plan.actions", list))
+    nominal = [numbers.angle(action, f"plan.actions.{k}.angle") for k, action in claimed]
+    listed = actions(used, nominal)
+    run_forward(s, used, listed)
+    given = numbers.field | ({"center_of_mass": pair} if pushed else {})
+    return {
+        "schema": numbers.schema,
+        "action": action,
+        "part": {"name": name, "vertices": pairs} | given,
+        "hull": [k for k, _, _ in hull],
+        **transfer,
+        "preimages": chain,
+        "cost_ratio": document["cost_ratio"],
+        "costs": compared,
+        "optimal_steps": best,
+        "plan": {
+            "steps": steps,
+            "mouth": {"start": used[-1]["start"], "width": used[-1]["width"]},
+            "actions": listed,
+            "final_orientation": chain[0]["image_start"],
+            "optimal": steps == best,
+            "orients_up_to_symmetry": steps == len(chain),
+        },
+    }
+
+
+def agree(claimed: Any, true: Any, place: str, numbers: Numbers = RATIONAL) -> None:
     """Raise at the first place where a claim differs from what holds."""
     if isinstance(true, tuple):
-        true = {"turns": true[0], "direction": [text(true[1]), text(true[2])]}
+        true = numbers.written(true, claimed, place)
     if isinstance(true, list) and isinstance(claimed, list) and len(claimed) == len(true):
         claimed, true = dict(enumerate(claimed)), dict(enumerate(true))
     if isinstance(true, dict) and isinstance(claimed, dict) and claimed.keys() == true.keys():
         for key in true:
-            agree(claimed[key], true[key], f"{place}.{key}".removeprefix("document."))
+            agree(claimed[key], true[key], f"{place}.{key}".removeprefix("document."), numbers)
     elif type(claimed) is not type(true) or claimed != true:
         raise InvalidClaimError(place, f"claimed {shown(claimed)}, but {shown(true)} holds")
 
@@ -531,7 +564,7 @@ def shown(value: Any) -> str:
     return line[:200].encode("ascii", "backslashreplace").decode()
 
 
-def load(data: bytes) -> Any:
+def load(data: bytes, schemas: tuple[str, ...] = (SCHEMA,)) -> Any:
     """Parse the bytes of a certificate file; refuse what Python reads beyond plain JSON."""
 
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -552,17 +585,18 @@ def load(data: bytes) -> Any:
     except (ValueError, RecursionError) as error:
         raise NoCertificateError("file", f"not JSON: {str(error)[:100]}") from None
     schema = found.get("schema") if isinstance(found, dict) else None
-    if schema != SCHEMA:
-        raise NoCertificateError("schema", f"{shown(schema)}; accepted: {SCHEMA!r}")
+    if schema not in schemas:
+        accepted = " or ".join(map(repr, schemas))
+        raise NoCertificateError("schema", f"{shown(schema)}; accepted: {accepted}")
     return found
 
 
-def check(document: Any) -> None:
+def check(document: Any, numbers: Numbers = RATIONAL) -> None:
     """Raise `InvalidClaimError` with the first claim that fails."""
-    agree(document, certify(document), "document")
+    agree(document, certify(document, numbers), "document", numbers)
 
 
-def main(arguments: list[str]) -> int:
+def main(arguments: list[str], load: Any = load, check: Any = check) -> int:
     """Check the file named; say "valid", or the first claim that fails."""
     try:
         if len(arguments) != 1:

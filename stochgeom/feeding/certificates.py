@@ -2,7 +2,8 @@
 
 The schema ``stochgeom/certificate/1`` holds no decimal and no checksum: every field is an exact
 claim, and `stochgeom.feeding.certificate_checker`, a single file that shares nothing with the
-planner, computes each one anew.
+planner, computes each one anew. Parts over a field have ``stochgeom/certificate/2``, which
+`stochgeom.feeding.field_certificate_checker` checks.
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ from stochgeom.geometry.part import Part
 from stochgeom.transfer.step_function import StepFunction
 
 SCHEMA: Final = "stochgeom/certificate/1"
+
+FIELD_SCHEMA: Final = "stochgeom/certificate/2"
+"""That of parts over a real algebraic field."""
 
 Json = dict[str, Any]
 
@@ -84,7 +88,7 @@ def certificate(plan: CertifiablePlan) -> Json:
     Returns
     -------
     dict
-        Plain JSON values, the schema ``stochgeom/certificate/1``.
+        Plain JSON values, the schema ``stochgeom/certificate/1``, or 2 for a part over a field.
 
     Raises
     ------
@@ -113,7 +117,7 @@ def certificate(plan: CertifiablePlan) -> Json:
         )
     optimal, costs = _costs(chain, plan)
     return {
-        "schema": SCHEMA,
+        "schema": SCHEMA if part.field is None else FIELD_SCHEMA,
         "action": action,
         "part": part_claims(part, action),
         "hull": hull_numbers(part),

@@ -14,6 +14,7 @@ from typing import Any, Final
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import rational_text
+from stochgeom.exact.surds import scalar_text
 from stochgeom.geometry.calipers import NO_EDGE
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
@@ -65,9 +66,13 @@ def transfer_claims(part: Part, transfer: StepFunction, action: str) -> Json:
 
 
 def part_claims(part: Part, action: str) -> Json:
-    """Return what a certificate holds of a part: its centre of mass only where it is pushed."""
+    """Return what a certificate holds of a part: its centre of mass only where it is pushed.
+
+    And the field of its coordinates, unless these are rational.
+    """
     center = {} if action == "squeeze" else {"center_of_mass": _point(part.center_of_mass)}
-    return {"name": part.name, "vertices": [_point(v) for v in part.vertices], **center}
+    field = {} if part.field is None else {"field": part.field.description()}
+    return {"name": part.name, "vertices": [_point(v) for v in part.vertices], **field, **center}
 
 
 def hull_numbers(part: Part) -> list[int]:
@@ -78,13 +83,16 @@ def hull_numbers(part: Part) -> list[int]:
 
 
 def angle_claim(angle: Angle) -> Json:
-    """Return an angle that is a rational direction, lifted by whole turns."""
-    x, y = angle.direction
-    return {"turns": int(angle.turn_part), "direction": [rational_text(x), rational_text(y)]}
+    """Return an angle in its canonical form: over a field, its turns need not be whole."""
+    turns = angle.turn_part
+    return {
+        "turns": int(turns) if turns.denominator == 1 else rational_text(turns),
+        "direction": [scalar_text(number) for number in angle.direction],
+    }
 
 
 def _point(point: Any) -> list[str]:
-    return [rational_text(number) for number in point]
+    return [scalar_text(number) for number in point]
 
 
 def _first_numbers(part: Part) -> list[int]:

@@ -295,6 +295,8 @@ class FeedingPlan:
     def certificate(self) -> dict[str, Any]:
         """Return the plan with its proof, a ``stochgeom/certificate/1`` document.
 
+        Its schema is ``stochgeom/certificate/2`` for a part over a real algebraic field.
+
         Raises
         ------
         InputError

@@ -244,7 +244,7 @@ def of_texts(text: str) -> Iterator[tuple[str, Callable[[], Any]]]:
             for other in ((int(digit) + 1) % 10, (int(digit) - 1) % 10):
                 new.append(text[:k] + str(other) + text[k + 1 :])
     p, _, q = text.partition("/")
-    if p.lstrip("-").isdigit():
+    if p.lstrip("-").isdigit() and (not q or q.isdigit()):
         new += [f"{2 * int(p)}/{2 * int(q or 1)}", f"{-int(p)}/-{q or 1}", f"{p}/{q}1", f"{p}/0"]
         new += [int(p), float(p), [text], Raw(p)] if not q else [int(p) / int(q), f"{q}/{p}"]
     for value in new:
@@ -308,8 +308,14 @@ def of_objects(members: Json) -> Iterator[tuple[str, Callable[[], Any]]]:
     yield "a key added", lambda: {**members, "note": ""}
     yield "as a list", lambda: list(members.values())
     yield "nested", lambda: [members]
-    if members.keys() == {"turns", "direction"}:
+    if members.keys() == {"turns", "direction"} and is_whole(members):
         yield from of_angles(members)
+
+
+def is_whole(members: Json) -> bool:
+    """Tell whether an angle is a direction over Q, lifted by whole turns."""
+    digits = (str(number).removeprefix("-").isdecimal() for number in members["direction"])
+    return type(members["turns"]) is int and all(digits)
 
 
 def of_angles(members: Json) -> Iterator[tuple[str, Callable[[], Any]]]:
@@ -643,9 +649,9 @@ def test_a_checker_blind_to_pushes_would_be_caught(monkeypatch, place):
     """If it believed one of the tables, mutants would survive."""
     blind = checker.agree
 
-    def agree(claimed, true, where):
+    def agree(claimed, true, where, *numbers):
         if not where.startswith(place):
-            blind(claimed, true, where)
+            blind(claimed, true, where, *numbers)
 
     monkeypatch.setattr(checker, "agree", agree)
     document = PUSHED.geometric_plan().certificate()
@@ -662,9 +668,9 @@ def test_a_blind_checker_would_be_caught(monkeypatch):
     """If the checker believed the costs, mutants would survive."""
     blind = checker.agree
 
-    def agree(claimed, true, place):
+    def agree(claimed, true, place, *numbers):
         if not place.startswith("costs"):
-            blind(claimed, true, place)
+            blind(claimed, true, place, *numbers)
 
     monkeypatch.setattr(checker, "agree", agree)
     tally = count_mutants(systematic=20, randomly=5)

@@ -14,6 +14,8 @@ MOST_FILE_LINES = 400
 LONGER_FILES = {
     # One file by contract, to be read and run by itself; its code lines are about 370.
     "certificate_checker.py": 620,
+    # The same for parts over fields; about 300.
+    "field_certificate_checker.py": 480,
 }
 MOST_FUNCTION_LINES = 60
 BANNED_CALLS = frozenset({"isclose", "allclose", "assert_allclose"})

@@ -176,6 +176,16 @@ class TestCases:
 
 
 class TestReproductions:
+    def test_a_finding_over_a_field_is_an_outline(self, tmp_path):
+        part = Part([(0, 0), (2, 0), ("1/2*sqrt(3)", 1)], name="obtuse")
+        pentagon = Part.regular(5)
+        for found in (part, pentagon):
+            row = audit_part(found, Case("long plans", 5, 1))
+            assert (row.disagreement, row.certificates) == (None, 1 + (found is part))
+            file = tmp_path / "finding.json"
+            file.write_text(row.reproduction())
+            assert load_part(str(file)).vertices == found.vertices
+
     def test_a_finding_is_an_outline(self, tmp_path):
         row = audit_case(TIE)
         text = row.reproduction()

@@ -122,13 +122,34 @@ def test_the_checker_runs_alone_where_nothing_is_installed(house, tmp_path):
     assert (done.returncode, done.stdout, done.stderr) == (0, "valid\n", "")
 
 
+@pytest.mark.parametrize("action", ["squeeze", "push-grasp"])
+@pytest.mark.parametrize("part", ["regular-7", "cut"])
+def test_a_part_over_a_field(capsys, tmp_path, part, action):
+    outline, path = tmp_path / "cut.txt", tmp_path / "plan.json"
+    outline.write_text("0,0\n1,0\n1/2,sqrt(3)/2\n-1/4,sqrt(3)/3\n")
+    source = str(outline) if part == "cut" else part
+    assert call(capsys, "plan", source, "--action", action, "--certificate", str(path)).code == 0
+    document = json.loads(path.read_text())
+    assert document["schema"] == "stochgeom/certificate/2"
+    result = call(capsys, "verify", str(path))
+    assert (result.code, result.err) == (0, "")
+    assert result.out.startswith("valid: ")
+    document["period"]["turns"] = 3
+    path.write_text(json.dumps(document))
+    result = call(capsys, "verify", str(path))
+    assert (result.code, result.err) == (1, "")
+    assert result.out.startswith("invalid: period: claimed about ")
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [
         (b"", "not JSON"),
         (b"[1, 2", "not JSON"),
         (b"\xff\xfe", "not JSON"),
-        (b'{"schema": "stochgeom/certificate/2"}', "accepted: 'stochgeom/certificate/1'"),
+        (b'{"schema": "stochgeom/certificate/3"}', "accepted: 'stochgeom/certificate/1' or"),
+        (b'{"schema": "stochgeom/certificate/2"}', "part"),
+        (b'{"schema": "stochgeom/certificate/2", "part": {}}', "part.field"),
         (b"[]", "accepted: 'stochgeom/certificate/1'"),
         (b'{"schema": "stochgeom/certificate/1"}', "part"),
         (b'{"a": 1, "a": 2}', "twice"),

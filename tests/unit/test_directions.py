@@ -6,10 +6,11 @@ from fractions import Fraction
 
 import pytest
 from gmpy2 import mpq, mpz
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from stochgeom.errors import InvalidArcError
+from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.directions import (
     just_above,
@@ -18,7 +19,7 @@ from stochgeom.exact.directions import (
     simplest_fraction,
 )
 from stochgeom.exact.forms import sign_of_form
-from tests.strategies import TINY, angles, directions, long_directions
+from tests.strategies import TINY, angles, directions, field_angles, fields, long_directions
 
 widths = st.one_of(
     directions.map(lambda p: Angle(0, p)),
@@ -54,6 +55,36 @@ def check_just_above(low, high):
     # angle - low < (high - low) / 2**20
     assert sign_of_form(0, [(2**20, angle), (1 - 2**20, low), (-1, high)]) < 0
     return angle
+
+
+# --- over a field --------------------------------------------------------------------------------
+
+
+@settings(max_examples=max(20, settings().max_examples // 10))
+@given(fields.flatmap(lambda f: st.tuples(field_angles(f), field_angles(f))))
+def test_between_directions_over_a_field_it_is_a_rational_direction(ends):
+    low, high = min(ends), max(ends)
+    assume(low < high <= low + FULL_TURN)
+    angle = nominal_angle(low, high)
+    assert low < angle < high
+    assert low < just_above(low, high) < angle
+    if any(is_algebraic(end.direction[0]) for end in ends):
+        assert angle.turn_part.denominator == 1
+        assert not is_algebraic(angle.direction[0])
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (ZERO, Angle(0, ("sqrt(6)", 1)), Angle(0, (5, 1))),
+        (Angle(-1), Angle(-1, ("sqrt(6)", 1)), Angle(-1, (5, 1))),
+        (Angle(0, ("sqrt(6)", 1)), Angle.from_degrees(160), QUARTER_TURN),
+        (Angle(0, ("sqrt(6)", 1)), Angle(1, ("sqrt(6)", 1)), HALF_TURN),
+        (Angle(0, ("-sqrt(6)", -1)), Angle(0, (-1, -1)), Angle(0, (-3, -2))),
+    ],
+)
+def test_the_simplest_one(low, high, expected):
+    assert nominal_angle(low, high) == expected
 
 
 # --- the law -------------------------------------------------------------------------------------

@@ -80,3 +80,9 @@ def test_the_limit_of_regular_polygons():
 )
 def test_squarefree_part(n, expected):
     assert squarefree_part(n) == expected
+
+
+@pytest.mark.parametrize("n", [-7, 0, 2, 1001])
+def test_polygons_without_a_field(n):
+    with pytest.raises(NumberLimitError, match=rf"the regular {n}-gon; accepted: 3 up to 1000 ver"):
+        regular_polygon_field(n)

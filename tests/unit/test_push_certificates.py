@@ -304,7 +304,7 @@ def test_the_checkers_push_function_is_that_of_the_library(part):
     ):
         assert found.breaks == [plain(theta) for theta in expected.breaks]
         assert found.values == [plain(theta) for theta in expected.values]
-        assert checker.eighths(found.e) == plain(expected.period)
+        assert found.period == plain(expected.period)
         for theta in (*expected.breaks, *expected.values):
             before = expected.lifted_values[expected.step_before(theta)]
             assert found.apply(plain(theta)) == plain(expected(theta))
@@ -343,7 +343,7 @@ class TestStepMap:
         count = 8 // parts
         values = [k // count * count * 45 for k in range(8)]
         s = checker.StepMap(degrees(*range(0, 360, 45)), degrees(*values), 8)
-        assert (s.e, s.m) == (count, 1)
+        assert (s.period, s.m) == (checker.eighths(count), 1)
 
     def test_a_full_turn_apart_is_not_together(self):
         """Both ends of the mouth go to 0, a turn apart: what is between them goes to 180."""
