@@ -9,7 +9,7 @@ import pytest
 import stochgeom
 from tests.repo.sources import PACKAGE, ROOT, imports_of
 
-FACADE = (PACKAGE / "__init__.py").read_text(encoding="utf-8")
+STUB = (PACKAGE / "__init__.pyi").read_text(encoding="utf-8")
 NOTATION = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
 
 
@@ -22,7 +22,7 @@ def test_the_type_checker_sees_what_is_loaded():
     prefix = f"{stochgeom.__name__}."
     seen = {
         item.target.removeprefix(prefix)
-        for item in imports_of(FACADE, stochgeom.__name__, is_package=True)
+        for item in imports_of(STUB, stochgeom.__name__, is_package=True)
         if item.target.startswith(prefix)
     }
     assert seen == {f"{home}.{name}" for name, home in stochgeom._HOMES.items()}
