@@ -12,7 +12,7 @@ BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal --nbmake
 
-.PHONY: plan test test-slow lint bench clean
+.PHONY: plan test test-slow lint docs bench clean
 
 plan: $(VENV)/.installed
 	@$(BIN)/stochgeom plan "$(PART)" $(ARGS)
@@ -28,6 +28,10 @@ lint: $(VENV)/.installed-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+# The manual, to be read from build/manual/index.html; what a reference cannot find is an error.
+docs: $(VENV)/.installed-dev
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -b html docs build/manual
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python -m benchmarks $(ARGS)
