@@ -146,11 +146,17 @@ from stochgeom.sensing.sensor_design import fuse_sensors as fuse_sensors
 from stochgeom.sensing.sensor_design import place_sensor as place_sensor
 from stochgeom.sensing.sensor_plan import SensorPlan as SensorPlan
 from stochgeom.sensing.sensors import Sensor as Sensor
+from stochgeom.thesis.appendix_e import figure_e_5 as figure_e_5
+from stochgeom.thesis.appendix_e import figure_e_8 as figure_e_8
 from stochgeom.thesis.appendix_g import FIGURES_G as FIGURES_G
 from stochgeom.thesis.chapter_6 import PRINTED_PLANS as PRINTED_PLANS
 from stochgeom.thesis.chapter_6 import figure_6_4_model as figure_6_4_model
+from stochgeom.thesis.grasp_tables import table_3_1 as table_3_1
+from stochgeom.thesis.grasp_tables import table_c_1 as table_c_1
 from stochgeom.thesis.parts import catalogue_names as catalogue_names
 from stochgeom.thesis.parts import catalogue_part as catalogue_part
+from stochgeom.thesis.sensor_orders import sensor_orders as sensor_orders
+from stochgeom.thesis.tables import table_4_1 as table_4_1
 from stochgeom.tilting.all_plans import best_tilt_plan as best_tilt_plan
 from stochgeom.tilting.all_plans import best_tilt_plans as best_tilt_plans
 from stochgeom.tilting.beta_density import BetaDensity as BetaDensity
