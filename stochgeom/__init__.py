@@ -219,3 +219,11 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
+
+
+def _renderers() -> Any:
+    return import_module(f"{__name__}.plotting.rich_display").RENDERERS
+
+
+# By name, like everything here; pictures are loaded when the first value is displayed.
+import_module(f"{__name__}.display").register_renderers(_renderers)

@@ -28,6 +28,7 @@ from gmpy2 import mpq
 
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
@@ -47,7 +48,7 @@ if TYPE_CHECKING:
 
 
 @final
-class FeedingPlan:
+class FeedingPlan(Displayed):
     """An open-loop plan and what it is worth.
 
     Made by `stochgeom.feeding.planner`; holds the preimages of 1, 2, ..., k steps.

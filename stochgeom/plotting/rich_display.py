@@ -1,0 +1,41 @@
+"""What notebooks show of a value: the table that the facade registers.
+
+Small pictures and short tables; whoever wants more calls a drawing function or `to_html`.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from stochgeom.display import Renderers
+from stochgeom.geometry.part import Part
+from stochgeom.plotting.function_scenes import step_scene
+from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.svg import svg_document
+from stochgeom.transfer.step_function import StepFunction
+
+
+def part_svg(part: Part) -> str:
+    """Return a small picture of a part."""
+    name = part.name or "a part"
+    return svg_document(
+        part_scene(part),
+        title=name,
+        description=f"{name}: outline of {len(part)} vertices, convex hull, centre of mass",
+        scale=90.0,
+    )
+
+
+def step_function_svg(transfer: StepFunction) -> str:
+    """Return the graph of a step function over a full turn."""
+    return svg_document(
+        step_scene(transfer),
+        title=f"step function of {len(transfer)} steps in a period of {transfer.period}",
+        scale=1.0,
+    )
+
+
+RENDERERS: Final[Renderers] = {
+    ("Part", "svg"): part_svg,
+    ("StepFunction", "svg"): step_function_svg,
+}
