@@ -59,8 +59,8 @@ def decode_text(content: bytes) -> str:
         ) from None
 
 
-def write_whole(path: str, text: str) -> None:
-    """Write a text file so that it is never half there: beside the target, then renamed.
+def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
+    """Write text or bytes so that the file is never half there: beside the target, then renamed.
 
     Raises
     ------
@@ -71,8 +71,8 @@ def write_whole(path: str, text: str) -> None:
     temporary: str | None = None
     try:
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}-")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(content.encode("utf-8") if isinstance(content, str) else content)
         mask = os.umask(0)  # the only way to read it
         os.umask(mask)
         Path(temporary).chmod(0o666 & ~mask)
@@ -82,5 +82,6 @@ def write_whole(path: str, text: str) -> None:
             Path(temporary).unlink(missing_ok=True)
         reason = getattr(error, "strerror", None) or error
         raise WriteError(
-            f"cannot be written: {reason}; accepted: a file in a writable folder", where=path
+            f"cannot be written: {reason}; accepted: a file in a writable folder",
+            where=os.fspath(path),
         ) from error

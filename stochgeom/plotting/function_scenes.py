@@ -20,10 +20,10 @@ from stochgeom.plotting.graph import (
     value_ticks,
     wave_limits,
 )
-from stochgeom.plotting.scene import Label, Scene
+from stochgeom.plotting.scene import Scene
 from stochgeom.transfer.step_function import StepFunction
 
-_GAP = 3.2 * TEXT
+_GAP = 3.7 * TEXT
 """Between two panels: the tick labels of one and the title of the next."""
 
 
@@ -90,6 +90,4 @@ def _bar_panel(scene: Scene, bars: Sequence[Bar], width: float, turns: int) -> f
     title = "preimages: number of actions, arc, width"
     panel.frame(scene, title=title, x_ticks=degree_ticks(panel.x[1]))
     add_bars(scene, panel, bars)
-    # Room for the width of a bar that ends at the right edge.
-    scene.add(Label((width + 5, panel.at(0, 0)[1]), "", TEXT, "start"))
     return height

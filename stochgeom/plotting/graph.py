@@ -10,7 +10,17 @@ from typing import Final, final
 import numpy as np
 
 from stochgeom.plotting.curves import Bar, Steps, Wave
-from stochgeom.plotting.scene import XY, Disc, Label, Line, Scene, points_of, rectangle
+from stochgeom.plotting.scene import (
+    MINUS,
+    XY,
+    Disc,
+    Label,
+    Line,
+    Scene,
+    points_of,
+    rectangle,
+    shown_degrees,
+)
 from stochgeom.plotting.silhouettes import FloatArray
 
 TEXT: Final = 11.0
@@ -44,19 +54,19 @@ class Panel:
         title: str = "",
         x_ticks: Sequence[float] = (),
         y_ticks: Sequence[float] = (),
-        x_labels: bool = True,
+        y_unit: str = "",
     ) -> None:
         """Draw the frame, grid lines and ticks with labels, and the title above on the left."""
         (x0, x1), (y0, y1) = self.x, self.y
         for x in x_ticks:
             scene.add(Line((self.at(x, y0), self.at(x, y1)), "grid"))
-            if x_labels:
-                px, py = self.at(x, y0)
-                scene.add(Label((px, py - 0.95 * TEXT), f"{x:g}°", TEXT))
+            px, py = self.at(x, y0)
+            scene.add(Label((px, py - 0.95 * TEXT), shown_degrees(f"{x:g}"), TEXT))
         for y in y_ticks:
             scene.add(Line((self.at(x0, y), self.at(x1, y)), "grid"))
             px, py = self.at(x0, y)
-            scene.add(Label((px - 5, py), f"{y:g}", TEXT, "end"))
+            text = f"{y:g}".replace("-", MINUS) + y_unit
+            scene.add(Label((px - 5, py), text, TEXT, "end"))
         low, high = self.at(x0, y0), self.at(x1, y1)
         scene.add(rectangle(low, high, "frame"))
         if title:
@@ -169,7 +179,16 @@ def add_bars(scene: Scene, panel: Panel, bars: Sequence[Bar]) -> None:
         y = len(bars) - k - 0.5
         scene.add(rectangle(panel.at(bar.start, y - 0.28), panel.at(bar.end, y + 0.28), "bar"))
         if k % every == 0 or k == len(bars) - 1 >= every * (len(bars) // every):
-            px, py = panel.at(bar.end, y)
-            scene.add(Label((px + 5, py), f"{bar.width_text}°", size, "start"))
+            scene.add(_width_label(panel, bar, y, size))
             px, py = panel.at(panel.x[0], y)
             scene.add(Label((px - 5, py), f"{bar.steps}", size, "end"))
+
+
+def _width_label(panel: Panel, bar: Bar, y: float, size: float) -> Label:
+    """Return a bar's width behind it, or before it where the frame ends too soon."""
+    px, py = panel.at(bar.end, y)
+    label = Label((px + 5, py), f"{bar.width_text}°", size, "start")
+    if px + 8 + label.width <= panel.left + panel.width:
+        return label
+    px, _ = panel.at(bar.start, y)
+    return Label((px - 5, py), label.text, size, "end")

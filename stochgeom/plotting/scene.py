@@ -13,6 +13,8 @@ from typing import Final, Literal, TypeAlias, final
 XY: TypeAlias = "tuple[float, float]"
 Anchor: TypeAlias = Literal["start", "middle", "end"]
 
+MINUS: Final = "\N{MINUS SIGN}"
+
 GLYPH_WIDTH: Final = 0.62
 """Width of an average character over the text size, a little more than fonts need."""
 
@@ -167,6 +169,17 @@ def arrow(start: XY, end: XY, head: float, style: str = "arrow") -> tuple[Line, 
     tip = Polygon((end, (back[0] - w * s, back[1] + w * c), (back[0] + w * s, back[1] - w * c)),
                   "arrowhead")  # fmt: skip
     return Line((start, (u - 0.8 * head * c, v - 0.8 * head * s)), style), tip
+
+
+def shown_degrees(text: str) -> str:
+    """Return a decimal as degrees, with a minus sign that is as wide as the digits.
+
+    Examples
+    --------
+    >>> shown_degrees("-33.7")
+    '−33.7°'
+    """
+    return f"{text.replace('-', MINUS)}°"
 
 
 def points_of(pairs: Sequence[Sequence[float]]) -> tuple[XY, ...]:
