@@ -146,22 +146,13 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
 
 
 def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:
-    """Return decimals that work as they stand, with more digits than asked for if need be.
-
-    The range is rounded inwards, and the angle lies inside the rounded range: who types in what
-    is printed gets a plan that works.
-    """
+    """Return the angle and the range as decimals that work as they stand."""
     if action.low is None or action.high is None:
         if random:
             return "random", "any angle"
         return action.angle.degrees(digits), "the prior"
-    while True:
-        low = action.low.degrees(digits, Rounding.UP)
-        high = action.high.degrees(digits, Rounding.DOWN)
-        angle = action.angle.degrees(digits)
-        if mpq(low) < mpq(angle) <= mpq(high):
-            return angle, f"({low}, {high}]"
-        digits += 1
+    angle, low, high = action.decimals(digits)
+    return angle, f"({low}, {high}]"
 
 
 def _costs_block(problem: FeedingProblem, plan: FeedingPlan, digits: int) -> str:

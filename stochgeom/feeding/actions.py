@@ -6,7 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import final
 
+from gmpy2 import mpq
+
+from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.decimals import Rounding
 from stochgeom.exact.directions import nominal_inside
 
 
@@ -43,3 +47,31 @@ class Action:
     def tolerance(self) -> Angle | None:
         """The width of the range; None if the angle is free."""
         return None if self.low is None or self.high is None else self.high - self.low
+
+    def decimals(self, digits: int = 4) -> tuple[str, str, str]:
+        """Return angle, low and high in degrees, so that the decimals work as they stand.
+
+        The range is rounded inwards and the angle lies inside the rounded range, with more digits
+        than asked for if need be: who types in what is printed gets a plan that works.
+
+        Raises
+        ------
+        InputError
+            If the action has no range.
+
+        Examples
+        --------
+        >>> Action(Angle(0, (3, 1)), Angle(0, (1, 3))).decimals(2)
+        ('45.00', '18.44', '71.56')
+        """
+        if self.low is None or self.high is None:
+            raise InputError(
+                f"the action at {self.angle} has no range; accepted: one with both ends"
+            )
+        while True:
+            low = self.low.degrees(digits, Rounding.UP)
+            high = self.high.degrees(digits, Rounding.DOWN)
+            angle = self.angle.degrees(digits)
+            if mpq(low) < mpq(angle) <= mpq(high):
+                return angle, low, high
+            digits += 1
