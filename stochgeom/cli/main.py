@@ -19,6 +19,7 @@ from stochgeom.cli import (
     audit_command,
     parts_command,
     plan_command,
+    report_command,
     table_command,
     verify_command,
 )
@@ -27,7 +28,14 @@ from stochgeom.io.rings import showable
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 
-_COMMANDS = (plan_command, verify_command, audit_command, table_command, parts_command)
+_COMMANDS = (
+    plan_command,
+    report_command,
+    verify_command,
+    audit_command,
+    table_command,
+    parts_command,
+)
 
 # Options whose value may begin with a minus: argparse would take "-1,2" for an option.
 _SIGNED_VALUE = re.compile(r"-(?:[0-9.]|inf|nan)", re.IGNORECASE)

@@ -10,12 +10,14 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
+from stochgeom.io.embedded import CERTIFICATE, find_block, is_page
 from stochgeom.io.load import load_part
 
 _EPILOG = """\
 examples:
 
   stochgeom verify plan.json
+  stochgeom verify report.html
   stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative --claims up-to-symmetry
 
 The checker is one file that imports nothing of the package; it can be run by itself:
@@ -37,7 +39,7 @@ def add_parser(commands: Any) -> None:
         epilog=_EPILOG.format(path=checker.__file__),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate")
+    parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate, or a report")
     parser.add_argument("--part", metavar="SOURCE", help="what the angles are for")
     parser.add_argument(
         "--angles",
@@ -96,7 +98,7 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
 
 def _verify_certificate(path: str, wants_json: bool) -> int:
     try:
-        document = checker.load(_read(path))
+        document = checker.load(_certificate_of(_read(path), path))
         checker.check(document)
     except checker.NoCertificateError as error:
         raise FormatError(
@@ -131,6 +133,20 @@ def _summary(document: dict[str, Any]) -> str:
     if plan["orients_up_to_symmetry"]:
         claims.append("the fewest that orient it up to symmetry")
     return f"{steps} for {name}" + (f": {', and '.join(claims)}" if claims else "")
+
+
+def _certificate_of(content: bytes, path: str) -> bytes:
+    """Return the content of a certificate, or the certificate that a report carries."""
+    if not is_page(content):
+        return content
+    found = find_block(content, CERTIFICATE)
+    if found is None:
+        raise FormatError(
+            "this page carries no certificate; accepted: what `stochgeom report` writes for a "
+            "plan that can be certified",
+            where=path,
+        )
+    return found
 
 
 def _read(path: str) -> bytes:

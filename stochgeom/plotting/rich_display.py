@@ -5,9 +5,11 @@ Small pictures and short tables; whoever wants more calls a drawing function or 
 
 from __future__ import annotations
 
+import os
 from typing import Final
 
 from stochgeom.display import Renderers
+from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.geometry.part import Part
 from stochgeom.plotting.function_scenes import step_scene
 from stochgeom.plotting.part_scenes import part_scene
@@ -35,7 +37,15 @@ def step_function_svg(transfer: StepFunction) -> str:
     )
 
 
+def plan_report(plan: FeedingPlan, path: str | os.PathLike[str], *, digits: int) -> None:
+    """Write a plan as a page; see `stochgeom.plotting.report`."""
+    from stochgeom.plotting.report import write_report
+
+    write_report(plan, path, digits=digits)
+
+
 RENDERERS: Final[Renderers] = {
+    ("FeedingPlan", "report"): plan_report,
     ("Part", "svg"): part_svg,
     ("StepFunction", "svg"): step_function_svg,
 }
