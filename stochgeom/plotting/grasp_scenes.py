@@ -43,7 +43,7 @@ def contact_word(part: Part, theta: Angle) -> str:
     Examples
     --------
     >>> rectangle = Part([(0, 0), (3, 0), (3, 2), (0, 2)])
-    >>> contact_word(rectangle, ZERO), contact_word(rectangle, Angle(0, (2, 1)))
+    >>> contact_word(rectangle, Angle()), contact_word(rectangle, Angle(0, (2, 1)))
     ('stable', 'wedged')
     """
     function, place = DiameterFunction(part), theta % HALF_TURN

@@ -113,7 +113,7 @@ def rolling(body: Silhouette, start: float, end: float) -> Rolling:
     >>> square = silhouette([(0, 0), (2, 0), (2, 2), (0, 2)])
     >>> found = rolling(square, 0.5, 0.0)
     >>> round(found.slide, 3), round(found.slide - 2 * found.shift, 3)
-    (0.642, 0.0)
+    (0.851, 0.0)
     """
     shift = slide = 0.0
     turns = np.linspace(start, end, _SAMPLES + 1)

@@ -32,14 +32,14 @@ _MOST_CORNERS: Final = 80
 def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[Angle, ...]:
     """Return an initial orientation inside every step of the first action, or inside some.
 
-    Near the middle of the step, and seldom where the step maps to.
+    Inside the larger part of the step beside what it maps to, so that the part is seen to turn.
 
     Examples
     --------
     >>> from stochgeom.feeding.planner import plan_feeding
     >>> plan = plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)])
     >>> [theta.degrees(1) for theta in typical_orientations(plan)]
-    ['98.1', '171.9', '278.1', '351.9']
+    ['26.6', '108.4', '206.6', '288.4']
     """
     if most < 1:
         raise InputError(f"{most} traces; accepted: 1 or more")
@@ -51,16 +51,13 @@ def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[A
 
 
 def _inside(transfer: StepFunction, k: int) -> Angle:
-    """Return an orientation of step k, between its middle and the end farther from its value."""
-    start, end, value = (
-        transfer.lifted_breaks[k],
-        transfer.lifted_breaks[k + 1],
-        transfer.lifted_values[k],
-    )
-    middle = nominal_angle(start, end)
-    if middle <= value < end:
-        return nominal_angle(start, middle)
-    return nominal_angle(middle, end)
+    """Return an orientation in the middle of step k, or of its larger part beside its value."""
+    start, end = transfer.lifted_breaks[k], transfer.lifted_breaks[k + 1]
+    value = transfer.lifted_values[k]
+    if not start < value < end:
+        return nominal_angle(start, end)
+    before = value - start > end - value
+    return nominal_angle(start, value) if before else nominal_angle(value, end)
 
 
 def trace_scene(
