@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol, final
 
 from gmpy2 import mpq
 
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import Ball, argument_ball, certified_float, rational_ball
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
@@ -61,7 +62,7 @@ class Probability(Protocol):
 
 @final
 @total_ordering
-class AngleSum:
+class AngleSum(Displayed):
     """The exact number constant + sum of q * a, with a the number of full turns of an angle.
 
     Parameters

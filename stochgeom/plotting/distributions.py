@@ -24,16 +24,29 @@ BINS: Final = 120
 @final
 @dataclass(frozen=True, slots=True)
 class Strip:
-    """A rectangle whose x runs from 0 to 360 degrees and whose y from probability 0 to 1."""
+    """A rectangle whose x runs from 0 to 360 degrees and whose y from probability 0 to `top`."""
 
     left: float
     bottom: float
     width: float
     height: float
+    top: float = 1.0
 
     def at(self, degrees: float, share: float = 0.0) -> tuple[float, float]:
         """Return the place of an orientation and a probability."""
-        return self.left + self.width * degrees / 360.0, self.bottom + self.height * share
+        return (
+            self.left + self.width * degrees / 360.0,
+            self.bottom + self.height * share / self.top,
+        )
+
+
+def distribution_scene(state: Hyperstate, *, width: float = 9.0, size: float = 0.34) -> Scene:
+    """Return one hyperstate with its scale of degrees, the highest bar as high as there is room."""
+    most = max(float(state.probability(k)) for k in range(len(state)))
+    scene, strip = Scene(), Strip(0.0, 0.0, width, 1.8, most)
+    add_distribution(scene, strip, state, size)
+    add_scale(scene, strip, size)
+    return scene
 
 
 def add_distribution(scene: Scene, strip: Strip, state: Hyperstate, size: float) -> None:
@@ -51,7 +64,8 @@ def add_distribution(scene: Scene, strip: Strip, state: Hyperstate, size: float)
     placed = spread(centers, widths, strip.left - 0.3 * size, strip.left + strip.width + size)
     if placed is None:  # too many for their numbers to be read
         note = f"{len(state)} orientations, {_short(min(texts))} to {_short(max(texts))}"
-        scene.add(Label((strip.left, strip.at(0, 1)[1]), note, size, "start"))
+        level = strip.at(0, max(shares))[1] + 0.9 * size
+        scene.add(Label((strip.left, level), note, size, "start"))
         return
     for x, own, width, text in zip(placed, shares, widths, texts, strict=True):
         # Above its own bar and above every bar that it would cover.

@@ -36,6 +36,22 @@ def step_scene(
     return scene
 
 
+def wave_scene(
+    function: DiameterFunction | RadiusFunction, *, width: float = 420.0, height: float = 150.0
+) -> Scene:
+    """Return the graph of a diameter or radius function over a full turn."""
+    scene = Scene()
+    _wave_panel(scene, function, 0.0, (width, height), 1)
+    return scene
+
+
+def bars_scene(chain: Iterable[Preimage], *, width: float = 420.0) -> Scene:
+    """Return preimages as horizontal bars."""
+    scene, bars = Scene(), bars_of(chain)
+    _bar_panel(scene, bars, width, turns_for(bars))
+    return scene
+
+
 def analysis_scene(
     transfer: StepFunction,
     chain: Iterable[Preimage] = (),
@@ -65,7 +81,13 @@ def _step_panel(
 ) -> float:
     steps = steps_of(transfer, turns)
     panel = Panel(0.0, bottom, *size, (0.0, steps.end), step_limits(steps))
-    panel.frame(scene, title=name, x_ticks=degree_ticks(steps.end), y_ticks=value_ticks(*panel.y))
+    panel.frame(
+        scene,
+        title=name,
+        x_ticks=degree_ticks(steps.end),
+        y_ticks=value_ticks(*panel.y),
+        y_unit="°",
+    )
     add_steps(scene, panel, steps)
     return size[1]
 
