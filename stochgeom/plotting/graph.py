@@ -61,12 +61,12 @@ class Panel:
         for x in x_ticks:
             scene.add(Line((self.at(x, y0), self.at(x, y1)), "grid"))
             px, py = self.at(x, y0)
-            scene.add(Label((px, py - 0.95 * TEXT), shown_degrees(f"{x:g}"), TEXT))
+            scene.add(Label((px, py - 1.15 * TEXT), shown_degrees(f"{x:g}"), TEXT))
         for y in y_ticks:
             scene.add(Line((self.at(x0, y), self.at(x1, y)), "grid"))
             px, py = self.at(x0, y)
             text = f"{y:g}".replace("-", MINUS) + y_unit
-            scene.add(Label((px - 5, py), text, TEXT, "end"))
+            scene.add(Label((px - 7, py), text, TEXT, "end"))
         low, high = self.at(x0, y0), self.at(x1, y1)
         scene.add(rectangle(low, high, "frame"))
         if title:

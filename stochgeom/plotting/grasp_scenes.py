@@ -15,6 +15,7 @@ from stochgeom.feeding.stability import StableGrasp, most_stable_grasps, stable_
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.plotting.grasps import (
+    JAW_THICKNESS,
     REACH,
     Pose,
     hull_shape,
@@ -60,7 +61,7 @@ def grasp_scene(part: Part, theta: Angle, *, hull: bool = True, pushing: bool = 
     if hull and len(part.hull) < len(part):
         scene.add(hull_shape(pose.turned))
     caption = f"{shown_degrees(theta.degrees(2))}: {contact_word(part, theta)}"
-    scene.add(Label((0.0, min(pose.gap[0], -0.9) - 0.55), caption, _SIZE))
+    scene.add(Label((0.0, pose.gap[0] - JAW_THICKNESS - 0.4), caption, _SIZE))
     return scene
 
 

@@ -38,7 +38,8 @@ _PLATE: Final = 0.12
 _BODY: Final = 0.2
 _ROLLER: Final = 0.07
 _PALM: Final = HALF + 0.55
-_SIZE: Final = 0.3
+_PITCH: Final = 5.2
+_SIZE: Final = 0.22
 _SAMPLES: Final = 400
 
 
@@ -157,7 +158,7 @@ def closing_scene(part: Part, theta: Angle) -> Scene:
     last = rolling(body, start, end)
     states = (Rolling(start, 0.0, 0.0), rolling(body, start, (start + end) / 2), last)
     for k, (state, word) in enumerate(zip(states, words, strict=True)):
-        x = 4.8 * k
+        x = _PITCH * k
         scene.place(_held(body, _centred(state, last), sliding=True), x)
         scene.add(Label((x, -1.85), word, _SIZE))
     return scene
@@ -174,9 +175,9 @@ def wedged_or_stable_scene(part: Part, theta: Angle) -> Scene:
     scene = Scene()
     scene.place(_held(body, Rolling(start, 0.0, 0.0), sliding=False))
     last = rolling(body, start, shadow(final))
-    scene.place(_held(body, _centred(last, last), sliding=True), 4.8)
+    scene.place(_held(body, _centred(last, last), sliding=True), _PITCH)
     word = contact_word(part, theta)
     scene.add(Label((0.0, -1.85), f"friction: {word} at {shown_degrees(theta.degrees(2))}", _SIZE))
     with_plate = f"sliding jaw: stable at {shown_degrees(final.degrees(2))}"
-    scene.add(Label((4.8, -1.85), with_plate, _SIZE))
+    scene.add(Label((_PITCH, -1.85), with_plate, _SIZE))
     return scene

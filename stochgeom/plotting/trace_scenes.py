@@ -26,7 +26,7 @@ MOST_COLUMNS: Final = 8
 CELL: Final = 2 * REACH + 0.2
 _SIZE: Final = 0.46
 _STRIP_WIDTH: Final = 9.0
-_MOST_CORNERS: Final = 80
+_MOST_CORNERS: Final = 150
 
 
 def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[Angle, ...]:
