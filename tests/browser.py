@@ -36,8 +36,9 @@ _FLAGS = (
 # The pipes go to the descriptors that Chromium expects; then Chromium takes the place of Python.
 _LAUNCHER = """
 import os, sys
-reading, writing = int(sys.argv[1]), int(sys.argv[2])
-reading, writing = os.dup(reading), os.dup(writing)
+from fcntl import F_DUPFD, fcntl
+# First out of the way, where 3 and 4 overwrite neither.
+reading, writing = (fcntl(int(pipe), F_DUPFD, 10) for pipe in sys.argv[1:3])
 os.dup2(reading, 3)
 os.dup2(writing, 4)
 os.execv(sys.argv[3], sys.argv[3:])
@@ -70,6 +71,13 @@ class Browser:
         self._count = 0
         self._session: str | None = None
         self.events: list[dict[str, Any]] = []
+        try:
+            self._attach()
+        except BaseException:
+            self.__exit__()
+            raise
+
+    def _attach(self) -> None:
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
         self._session = attached["sessionId"]

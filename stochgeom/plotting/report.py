@@ -58,8 +58,11 @@ if TYPE_CHECKING:
 MOST_PICTURED: Final = 12
 """Rows of a picture, and columns of the table of stills."""
 
-MOST_EMBEDDED: Final = 4_000_000
-"""Bytes of a certificate that a page may carry."""
+MOST_DRAWN: Final = 1000
+"""Orientations of a distribution, and steps of a function, that a picture shows."""
+
+MOST_CERTIFIED: Final = 1000
+"""Vertices of a part whose certificate a page carries; it may grow with their square."""
 
 _POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'"
 
@@ -203,20 +206,25 @@ def _actions(subject: Subject) -> Iterator[str]:
 
 def _distributions(subject: Subject) -> Iterator[str]:
     steps = subject.plan.steps
-    shown = [*range(1, steps + 1)]
-    if steps > MOST_PICTURED:
+    few = [k for k in range(1, steps + 1) if len(subject.outcomes[k - 1]) <= MOST_DRAWN]
+    shown = few
+    if len(few) > MOST_PICTURED:
         half = MOST_PICTURED // 2
-        shown = shown[:half] + shown[-half:]
-        yield f"<p>The first and the last {half} of {steps} actions.</p>"
-    rows = [(k, subject.plan.distribution(k)) for k in shown]
+        shown = few[:half] + few[-half:]
+    if len(shown) < steps:
+        yield (
+            f"<p>{len(shown)} of {steps} actions are shown: the first and the last of those that "
+            f"leave at most {MOST_DRAWN} orientations.</p>"
+        )
+    if not shown:
+        return
     goal = subject.plan.final_orientation
-    scene = distribution_scene(rows, goal)
     yield (
         "<p>The probability of each orientation relative to the gripper after each action; the "
         f"accepted one, {goal.reduced().degrees(subject.digits)}°, is dark.</p>"
     )
     yield _picture(
-        scene,
+        distribution_scene([(k, subject.state(k)) for k in shown], goal),
         "Distribution after each action",
         "A row for each action; over the axis of orientations from 0 to 360 degrees a stem as "
         "high as the probability. The tables below have the numbers.",
@@ -246,6 +254,10 @@ def _functions(subject: Subject) -> Iterator[str]:
         f"<p>{words} Below are the widest arcs of orientations that 1, 2, … actions bring to one: "
         "each has an image that fits inside the arc above it.</p>"
     )
+    states = len(plan.transfer) * plan.transfer.order
+    if states > MOST_DRAWN:
+        yield f"<p>The function has {states} steps in a full turn, too many to draw.</p>"
+        return
     chain = [subject.chain[k] for k in shown_rows(len(subject.chain)) if k is not None]
     yield _picture(
         analysis_scene(plan.transfer, chain, wave, name=f"{subject.action} function", width=760.0),
@@ -284,19 +296,14 @@ def _exact(subject: Subject) -> Iterator[str]:
 def _certificate(subject: Subject) -> Iterator[str]:
     document, reason = _proof(subject.plan)
     if document is not None:
-        block = data_block(CERTIFICATE, document)
-        if len(block) <= MOST_EMBEDDED:
-            yield (
-                "<p>This page carries the plan with everything that proves it, in a data block. "
-                "<code>stochgeom verify THIS-FILE</code> reads it out and checks every claim anew, "
-                "with a program that shares no code with the planner. By hand: it is the JSON in "
-                f"the element with the id <code>{CERTIFICATE}</code>.</p>"
-            )
-            yield block
-            return
-        reason = (
-            f"it would take {len(block)} bytes; `stochgeom plan --certificate FILE` writes it alone"
+        yield (
+            "<p>This page carries the plan with everything that proves it, in a data block. "
+            "<code>stochgeom verify THIS-FILE</code> reads it out and checks every claim anew, "
+            "with a program that shares no code with the planner. By hand: it is the JSON in "
+            f"the element with the id <code>{CERTIFICATE}</code>.</p>"
         )
+        yield data_block(CERTIFICATE, document)
+        return
     yield (
         f"<p>This page carries no certificate: {text_of(reason)}. The plan itself, with exact "
         f"angles and ranges, is the JSON in the element with the id <code>{PLAN}</code>.</p>"
@@ -306,8 +313,14 @@ def _certificate(subject: Subject) -> Iterator[str]:
 
 def _proof(plan: FeedingPlan) -> tuple[dict[str, Any] | None, str]:
     """Return the certificate, or why there is none."""
-    if plan.part is not None and plan.part.field is not None:
+    part = plan.part
+    if part is not None and part.field is not None:
         return None, "coordinates with square roots are not certified"
+    if part is not None and len(part) > MOST_CERTIFIED:
+        return None, (
+            f"of a part of more than {MOST_CERTIFIED} vertices it is large; stochgeom plan "
+            "--certificate FILE writes it"
+        )
     try:
         return plan.certificate(), ""
     except InputError as error:

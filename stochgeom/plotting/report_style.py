@@ -18,6 +18,7 @@ main{max-width:62rem;margin:0 auto;padding:1.5rem 1.25rem 4rem}
 h1{font-size:1.9rem;line-height:1.2;margin:.2rem 0 .6rem}
 h2{font-size:1.3rem;line-height:1.3;margin:3rem 0 .6rem;padding-top:1rem;
 border-top:1px solid var(--rule)}
+h1,p,figcaption,caption{overflow-wrap:anywhere}
 p{margin:.5rem 0 1rem;max-width:46rem}
 a{color:var(--accent)}
 .soft,figcaption,caption{color:var(--soft)}

@@ -8,6 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Final, final
 
 from stochgeom.decision.costs import Number, expected_cost
+from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.placement import place
 from stochgeom.feeding.preimages import Preimage, Preimages
@@ -18,6 +19,9 @@ from stochgeom.plotting.animation_stage import shown_actions, traces
 if TYPE_CHECKING:
     from stochgeom.exact.sums import Probability
     from stochgeom.feeding.plans import FeedingPlan
+
+MOST_MORE: Final = 20
+"""So many longer plans are compared with this one."""
 
 MOST_ROWS: Final = 40
 """Longer tables are cut in the middle."""
@@ -38,6 +42,7 @@ class Subject:
     def __init__(self, plan: FeedingPlan, digits: int) -> None:
         self.plan, self.digits = plan, digits
         self.actions = shown_actions(plan)
+        self._states: dict[int, Hyperstate] = {}
 
     @property
     def name(self) -> str:
@@ -60,11 +65,17 @@ class Subject:
         """What is left after each action."""
         return tuple(self.plan.outcomes())
 
+    def state(self, step: int) -> Hyperstate:
+        """Return the distribution after so many actions."""
+        if step not in self._states:
+            self._states[step] = self.outcomes[step - 1].hyperstate()
+        return self._states[step]
+
     @cached_property
     def chain(self) -> tuple[Preimage, ...]:
-        """The preimages of 1, 2, ... actions as far as there are any.
+        """The preimages of 1, 2, ... actions, some more than the plan has.
 
-        Those of the plan and, where phase I can be taken up again, the wider ones after them.
+        Those of the plan and, where phase I can be taken up again, the next wider ones.
         """
         own = self.plan.preimages
         final_step = own[0].first % len(self.plan.transfer)
@@ -72,7 +83,7 @@ class Subject:
             spread = 2 * self.plan.gripper_error
             longer = Preimages(self.plan.transfer, spread, final_steps)
             if _steps(tuple(islice(longer, len(own)))) == _steps(own):
-                return tuple(longer)
+                return tuple(islice(longer, len(own) + MOST_MORE))
         return own
 
     def worth(self, preimage: Preimage) -> tuple[Probability, Number] | None:

@@ -110,7 +110,7 @@ def cost_table(subject: Subject) -> str:
 
 def distribution_table(subject: Subject, step: int) -> str:
     """Return every orientation after so many actions, with its probability."""
-    state = subject.plan.distribution(step)
+    state = subject.state(step)
     rows = [
         ["…", "", ""]
         if k is None
