@@ -226,16 +226,21 @@ def _label_every(ax: Axes, rows: int) -> int:
 
 
 def _width_label(ax: Axes, bar: Bar, end: float) -> None:
-    """Write a bar's width behind it, or before it where the axes end too soon."""
-    points = _points(ax)[0]
+    """Write a bar's width: behind it, before it where the axes end too soon, or else in it."""
     text = f"{bar.width_text}°"
-    behind = bar.end + (0.62 * LETTERS * len(text) + 8.0) * end / points <= end
+    room = (0.62 * LETTERS * len(text) + 8.0) * end / _points(ax)[0]
+    if bar.end + room <= end:
+        place, shift, anchor = bar.end, 4, "left"
+    elif bar.start - room >= 0.0:
+        place, shift, anchor = bar.start, -4, "right"
+    else:
+        place, shift, anchor = (bar.start + bar.end) / 2, 0, "center"
     ax.annotate(
         text,
-        (bar.end if behind else bar.start, bar.steps),
-        xytext=(4 if behind else -4, 0),
+        (place, bar.steps),
+        xytext=(shift, 0),
         textcoords="offset points",
-        ha="left" if behind else "right",
+        ha=anchor,
         va="center",
         fontsize=LETTERS,
         color=INK,

@@ -185,10 +185,11 @@ def add_bars(scene: Scene, panel: Panel, bars: Sequence[Bar]) -> None:
 
 
 def _width_label(panel: Panel, bar: Bar, y: float, size: float) -> Label:
-    """Return a bar's width behind it, or before it where the frame ends too soon."""
-    px, py = panel.at(bar.end, y)
-    label = Label((px + 5, py), f"{bar.width_text}°", size, "start")
-    if px + 8 + label.width <= panel.left + panel.width:
+    """Return a bar's width: behind it, before it where the frame ends too soon, or else in it."""
+    (start, py), (end, _) = panel.at(bar.start, y), panel.at(bar.end, y)
+    label = Label((end + 5, py), f"{bar.width_text}°", size, "start")
+    if end + 8 + label.width <= panel.left + panel.width:
         return label
-    px, _ = panel.at(bar.start, y)
-    return Label((px - 5, py), label.text, size, "end")
+    if start - 8 - label.width >= panel.left:
+        return Label((start - 5, py), label.text, size, "end")
+    return Label(((start + end) / 2, py), label.text, size)

@@ -458,6 +458,14 @@ class TestLabels:
         ):
             assert overlapping_labels(scene) == []
 
+    def test_a_bar_from_one_end_to_the_other_has_its_width_inside(self):
+        """Found by the law of labels: beside such a bar there is no room."""
+        part = Part([(-1, 0), (0, -1), (1, 0), (0, 1)], center_of_mass=(0, "1/5"))
+        problem = FeedingProblem(part, "push-grasp")
+        scene = analysis_scene(problem.transfer, problem.preimages)
+        assert "360.00°" in scene.labels()
+        assert overlapping_labels(scene) == []
+
     def test_on_blocks_and_grippers(self):
         for scene in (
             sensed_blocks_scene([1, 1, 1, 1], [1, 2, 4, 3]),
