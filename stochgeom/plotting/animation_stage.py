@@ -14,10 +14,10 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import TYPE_CHECKING, Final
 
-from stochgeom.exact.angles import Angle
 from stochgeom.plotting.animation_motion import OPEN, Hold, KeyFrame, Trace
 from stochgeom.plotting.silhouettes import FloatArray
 from stochgeom.plotting.svg import number, text_of
+from stochgeom.plotting.trace_scenes import typical_orientations
 
 if TYPE_CHECKING:
     from stochgeom.feeding.plans import FeedingPlan
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 MOST_ACTIONS: Final = 40
 """Of a longer plan the first so many actions are shown."""
 
-STARTS: Final = (20, 80, 140, 200, 260, 320)
-"""Degrees at which the parts on the stage begin: one for each sixth of a turn."""
+MOST_PARTS: Final = 6
+"""On the stage."""
 
 RADIUS: Final = 100
 """Of a part, in units of the picture."""
@@ -38,10 +38,10 @@ _GLIDE: Final = 2.4
 
 
 def traces(plan: FeedingPlan) -> tuple[Trace, ...]:
-    """Return the parts on the stage."""
+    """Return the parts on the stage, one for each step of the first action or for some of them."""
     assert plan.part is not None
     hold = Hold(plan.part)
-    return tuple(Trace(plan, hold, Angle.from_degrees(start)) for start in STARTS)
+    return tuple(Trace(plan, hold, start) for start in typical_orientations(plan, MOST_PARTS))
 
 
 def shown_actions(plan: FeedingPlan) -> int:
@@ -184,7 +184,7 @@ def control(actions: int) -> tuple[str, str]:
 
 def panel(place: int, trace: Trace, caption: str, description: str) -> str:
     """Return one part on the stage, moved by the rules of `stage_style`."""
-    start = trace.start.degrees(0)
+    start = trace.start.degrees(2)
     return (
         f'<figure class="panel"><svg viewBox="{-_EDGE} {-_EDGE} {2 * _EDGE} {2 * _EDGE}" '
         f'role="img" aria-labelledby="n{place} d{place}">'

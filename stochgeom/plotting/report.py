@@ -11,8 +11,9 @@ import os
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, Final
 
-from stochgeom.errors import InputError
+from stochgeom.errors import InputError, NumberLimitError
 from stochgeom.exact.decimals import check_digits
+from stochgeom.exact.surds import scalar_to_float
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.io.embedded import CERTIFICATE, PLAN, data_block
@@ -60,6 +61,9 @@ MOST_PICTURED: Final = 12
 
 MOST_DRAWN: Final = 1000
 """Orientations of a distribution, and steps of a function, that a picture shows."""
+
+DRAWABLE: Final = (1e-200, 1e200)
+"""Widths of parts between which floats hold their diameters."""
 
 MOST_CERTIFIED: Final = 1000
 """Vertices of a part whose certificate a page carries; it may grow with their square."""
@@ -185,7 +189,7 @@ def _stills(subject: Subject) -> str:
         pictures = [
             f"{still(trace, k)}{trace.states[k].reduced().degrees(2)}°" for k in range(shown + 1)
         ]
-        rows.append([f"{trace.start.degrees(0)}°", *pictures, f"<b{kind}>{word}</b>"])
+        rows.append([f"{trace.start.degrees(2)}°", *pictures, f"<b{kind}>{word}</b>"])
     caption = "The same parts, still: orientations relative to the gripper after each action"
     return table(caption, header, rows, kind="strip")
 
@@ -236,16 +240,14 @@ def _distributions(subject: Subject) -> Iterator[str]:
 def _functions(subject: Subject) -> Iterator[str]:
     plan = subject.plan
     action = text_of(subject.action)
-    wave: DiameterFunction | RadiusFunction | None = None
+    wave = _wave(plan)
     words = f"The {action} function takes an orientation to the one after {_an(action)} at angle 0."
     if plan.part is not None and subject.action == "squeeze":
-        wave = DiameterFunction(plan.part)
         words += (
             " Squeezed, the part turns from wherever it is to the local minimum of its diameter "
             "between two local maxima."
         )
     elif plan.part is not None and subject.action == "push-grasp":
-        wave = RadiusFunction(plan.part)
         words += (
             " Pushed, the part turns to a local minimum of its radius, the height of the centre of "
             "mass over the jaw; then the squeeze turns it on."
@@ -265,6 +267,21 @@ def _functions(subject: Subject) -> Iterator[str]:
         "A graph of the part's diameter or radius, under it the step function with its fixed "
         "diagonal, under that the preimages as bars. The exact numbers are given below.",
     )
+
+
+def _wave(plan: FeedingPlan) -> DiameterFunction | RadiusFunction | None:
+    """Return the function of the part that the action follows, if floats can draw it."""
+    part = plan.part
+    if part is None or plan.action_name not in ("squeeze", "push-grasp"):
+        return None
+    xs = [x for x, _ in part.hull.points.pairs()]
+    try:
+        drawable = DRAWABLE[0] < scalar_to_float(max(xs) - min(xs)) < DRAWABLE[1]
+    except (OverflowError, NumberLimitError):
+        drawable = False
+    if not drawable:
+        return None
+    return DiameterFunction(part) if plan.action_name == "squeeze" else RadiusFunction(part)
 
 
 def _an(noun: str) -> str:

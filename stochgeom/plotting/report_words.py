@@ -88,8 +88,9 @@ def said_at(subject: Subject, step: int) -> str:
     """Say what the action before this moment was, 0 for the start."""
     if step == 0:
         return (
-            f"Before the first action: {len(subject.traces)} parts that arrive 60° apart, between "
-            "open jaws. The black dot is vertex 0, the white one the centre of mass."
+            "Before the first action: parts between open jaws, each from another set of initial "
+            "orientations that the first action brings to one. The black dot is vertex 0, the "
+            "white one the centre of mass."
         )
     angle, range_text = angle_and_range(subject, step - 1)
     verb = text_of(subject.action)
@@ -126,7 +127,7 @@ def panel_caption(subject: Subject, trace: Trace) -> str:
     word, accepted = verdict(subject.plan, trace.states[-1])
     final = trace.states[-1].reduced().degrees(2)
     kind = ' class="yes"' if accepted else ""
-    return f"{trace.start.degrees(0)}° → {final}°<br><b{kind}>{word}</b>"
+    return f"{trace.start.degrees(2)}° → {final}°<br><b{kind}>{word}</b>"
 
 
 def panel_description(subject: Subject, trace: Trace) -> str:

@@ -13,8 +13,9 @@ import pytest
 
 import stochgeom as sg
 from benchmarks.outlines import near_circle
-from stochgeom.plotting.animation_stage import MOST_ACTIONS, STARTS
+from stochgeom.plotting.animation_stage import MOST_ACTIONS, MOST_PARTS
 from stochgeom.plotting.report import report_html
+from stochgeom.plotting.trace_scenes import typical_orientations
 from tests.browser import Browser, find_browser
 
 EXECUTABLE = find_browser()
@@ -115,9 +116,13 @@ def off(measured: float, angle: sg.Angle) -> float:
     return min(rest, 360 - rest)
 
 
-def states_by_hand(plan: sg.FeedingPlan, start: int) -> Iterator[tuple[sg.Angle, sg.Angle]]:
+def starts_of(plan: sg.FeedingPlan) -> tuple[sg.Angle, ...]:
+    return typical_orientations(plan, MOST_PARTS)
+
+
+def states_by_hand(plan: sg.FeedingPlan, start: sg.Angle) -> Iterator[tuple[sg.Angle, sg.Angle]]:
     """Yield the gripper's and the part's pose on the table after each action."""
-    state, gripper = sg.Angle.from_degrees(start), sg.ZERO
+    state, gripper = start, sg.ZERO
     yield gripper, state
     for action in plan.actions:
         state = plan.transfer(state - action.angle)
@@ -129,11 +134,11 @@ def states_by_hand(plan: sg.FeedingPlan, start: int) -> Iterator[tuple[sg.Angle,
 def test_every_part_stands_at_the_planned_angle_after_each_action(page, name):
     plan = PLANS[name]()
     found = page(plan)
-    expected = {start: list(states_by_hand(plan, start)) for start in STARTS}
+    expected = {start: list(states_by_hand(plan, start)) for start in starts_of(plan)}
     steps = [*range(min(plan.steps, MOST_ACTIONS) + 1)]
     for step in steps if len(steps) < 10 else (0, 1, 2, 20, steps[-1]):
         choose(found, f"t{step}")
-        for place, start in enumerate(STARTS):
+        for place, start in enumerate(starts_of(plan)):
             gripper, pose = expected[start][step]
             assert off(turn_of(found, f".p{place}"), pose) < CLOSE
             assert off(turn_of(found, ".grip"), gripper) < CLOSE
@@ -149,21 +154,22 @@ def test_the_jaws_hold_the_part_at_its_diameter(page, name):
     diameter = sg.DiameterFunction(plan.part)
     for step in range(1, plan.steps + 1):
         choose(found, f"t{step}")
-        for place, start in enumerate(STARTS):
-            state = plan.execute(sg.Angle.from_degrees(start))[step]
+        for place, start in enumerate(starts_of(plan)):
+            state = plan.execute(start)[step]
             gap = shift_of(found, f".u{place}") - shift_of(found, f".l{place}")
             held = 100 * float(diameter.evaluate(state.to_float())) / radius
             assert gap == pytest.approx(held, abs=0.02)
 
 
 def test_a_part_glides_to_its_next_place(page):
-    found = page(PLANS["house"]())
+    plan = PLANS["house"]()
+    found = page(plan)
     choose(found, "t1")
     found.evaluate("document.getElementById('t2').click()")
     # Half way: the gripper has turned by 45 degrees, the part not yet.
     found.evaluate("document.getAnimations().forEach(a => {a.pause(); a.currentTime = 1200})")
     assert off(turn_of(found, ".grip"), sg.Angle.from_degrees(45)) < CLOSE
-    before, after = list(states_by_hand(PLANS["house"](), STARTS[0]))[1:]
+    before, after = list(states_by_hand(plan, starts_of(plan)[0]))[1:]
     assert off(turn_of(found, ".p0"), before[1]) < CLOSE
     found.evaluate("document.getAnimations().forEach(a => a.finish())")
     assert off(turn_of(found, ".p0"), after[1]) < CLOSE
@@ -183,7 +189,7 @@ def test_left_to_itself_the_animation_runs_through_all_actions_and_begins_again(
         found.evaluate(
             f"document.getAnimations().forEach(a => {{a.pause(); a.currentTime = {time + 30}}})"
         )
-        pose = list(states_by_hand(plan, STARTS[0]))[step][1]
+        pose = list(states_by_hand(plan, starts_of(plan)[0]))[step][1]
         assert off(turn_of(found, ".p0"), pose) < CLOSE
 
 
@@ -227,10 +233,10 @@ def test_nothing_moves_for_who_asked_for_that(page):
     plan = PLANS["4gon"]()
     found = page(plan, prefers_reduced_motion="reduce")
     assert found.evaluate("document.getAnimations().length") == 0
-    assert off(turn_of(found, ".p0"), list(states_by_hand(plan, STARTS[0]))[-1][1]) < CLOSE
+    assert off(turn_of(found, ".p0"), list(states_by_hand(plan, starts_of(plan)[0]))[-1][1]) < CLOSE
     found.evaluate("document.getElementById('t1').click()")
     assert found.evaluate("document.getAnimations().length") == 0
-    assert off(turn_of(found, ".p0"), list(states_by_hand(plan, STARTS[0]))[1][1]) < CLOSE
+    assert off(turn_of(found, ".p0"), list(states_by_hand(plan, starts_of(plan)[0]))[1][1]) < CLOSE
 
 
 def test_on_paper_the_still_pictures_remain(page):
