@@ -12,7 +12,7 @@ from html.parser import HTMLParser
 import pytest
 
 import stochgeom as sg
-from benchmarks.outlines import near_circle
+from benchmarks.outlines import near_circle, small_convex
 from stochgeom.errors import InputError, WriteError
 from stochgeom.feeding import certificate_checker
 from stochgeom.io.embedded import CERTIFICATE, PLAN, find_block
@@ -284,7 +284,7 @@ def test_the_filter_is_described_exactly():
 # --- proof ---------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["house", "4gon", "push-grasp", "holes", "tiny"])
+@pytest.mark.parametrize("name", ["house", "4gon", "push-grasp", "holes", "tiny", "error"])
 def test_the_certificate_in_the_page_is_valid_and_the_plan_s(name):
     plan = PLANS[name]()
     block = find_block(report_html(plan).encode(), CERTIFICATE)
@@ -292,15 +292,12 @@ def test_the_certificate_in_the_page_is_valid_and_the_plan_s(name):
     certificate_checker.check(certificate_checker.load(block))
 
 
-@pytest.mark.parametrize("name", ["prior", "measured", "error", "goal", "no part", "field"])
+@pytest.mark.parametrize("name", ["prior", "measured", "goal", "no part", "field"])
 def test_a_page_without_certificate_says_why_and_carries_the_plan(name):
     plan = PLANS[name]()
     page = report_html(plan)
     block = find_block(page.encode(), PLAN)
-    certified = find_block(page.encode(), CERTIFICATE)
-    if certified is not None:  # an error of the gripper may leave the widest preimages
-        assert json.loads(certified) == plan.certificate()
-        return
+    assert find_block(page.encode(), CERTIFICATE) is None
     assert "This page carries no certificate: " in page
     assert json.loads(block) == plan_json(plan)
 
@@ -343,8 +340,6 @@ def test_a_plan_of_many_actions_stays_legible():
 
 
 def test_a_part_of_ten_vertices_takes_less_than_half_a_megabyte():
-    from benchmarks.outlines import small_convex
-
     for seed in range(5):
         part = sg.Part(small_convex(10, seed))
         assert len(report_html(sg.orient_up_to_symmetry(part)).encode()) < 500_000
