@@ -23,6 +23,7 @@ NAMES = (
     "start_up",
     "exhaustive",
     "actions_and_priors",
+    "html_report",
 )
 
 
