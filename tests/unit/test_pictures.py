@@ -186,7 +186,7 @@ class TestOnAxes:
         from stochgeom.plotting.scene import Label, Scene
 
         ax = draw_scene(Scene([Label((0, 0), "$\\frac{$", 1.0)]), self.axes())
-        ax.get_figure().canvas.draw()
+        ax.get_figure().draw_without_rendering()
         assert ax.texts[0].get_text() == "$\\frac{$"
 
     def test_letters_fit_smaller_axes(self):

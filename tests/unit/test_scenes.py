@@ -9,6 +9,7 @@ import pytest
 
 from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.errors import InputError, PriorError
 from stochgeom.exact.angles import Angle
 from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
@@ -480,6 +481,23 @@ class TestLabels:
         assert overlapping_labels(scene) == [("one", "two")]
         (low, _), (high, _) = box_of(scene.shapes[0])
         assert low < 0 < high
+
+    @pytest.mark.parametrize("shares", [(1, 8, 1), (1, 1, 8), (8, 1, 1), (5, 1, 9)])
+    @pytest.mark.parametrize("places", [(100, 101, 102), (0, 1, 4), (350, 352, 359)])
+    def test_numbers_stand_above_the_bars_that_they_cover(self, places, shares):
+        state = Hyperstate(
+            tuple(Angle.from_degrees(place) for place in places),
+            tuple(Angle.from_turns(f"{share}/{sum(shares)}") for share in shares),
+        )
+        scene = distribution_scene(state)
+        bars = [bar.points for bar in scene.of_style("bar")]
+        numbers = [s for s in scene.shapes if isinstance(s, Label) and "°" not in s.text]
+        assert len(numbers) == 3
+        for label in numbers:
+            (left, bottom), (right, _) = box_of(label)
+            reach = 0.2 * label.size  # the box is wider than the letters
+            covered = [b for b in bars if b[0][0] < right - reach and b[1][0] > left + reach]
+            assert all(bottom >= bar[2][1] - 0.1 * label.size for bar in covered)
 
     def test_spreading(self):
         placed = spread([0, 0, 0, 5], [1, 1, 1, 1], -10, 10)
