@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 from typing import Final, final
 
 import numpy as np
@@ -17,9 +18,10 @@ import numpy as np
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.priors import Prior
 from stochgeom.exact.angles import Angle
+from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.curves import in_degrees
-from stochgeom.plotting.distributions import BINS, bin_masses, fitted
+from stochgeom.plotting.distributions import bin_masses, fitted
 from stochgeom.plotting.graph import TEXT, Panel, degree_ticks
 from stochgeom.plotting.scene import Disc, Label, Line, Polygon, Scene, rectangle, shown_degrees
 
@@ -73,12 +75,9 @@ def _beside_each_other(funnels: list[Funnel]) -> list[Funnel]:
     """Return the funnels moved by whole turns so that each one's foot is over the next mouth."""
     placed: list[Funnel] = []
     for funnel in funnels:
-        shift = 0.0
-        if placed:
-            above = sum(placed[-1].foot) / 2
-            shift = 360.0 * round((above - sum(funnel.mouth) / 2) / 360.0)
-        elif funnel.mouth[0] < 0.0 or funnel.mouth[0] >= 360.0:
-            shift = -360.0 * (funnel.mouth[0] // 360.0)
+        # The middle of the first mouth is in [0, 360), every other one below the foot above it.
+        aim = sum(placed[-1].foot) / 2 if placed else 180.0
+        shift = 360.0 * round((aim - sum(funnel.mouth) / 2) / 360.0)
         placed.append(
             Funnel(
                 funnel.steps,
@@ -101,13 +100,9 @@ def funnel_scene(
     """
     prior = plan.prior if prior is None else prior
     funnels, scene = funnels_of(plan), Scene()
-    ends = [end for funnel in funnels for end in (*funnel.mouth, *funnel.foot)]
-    low = 45.0 * np.floor(min(ends) / 45.0)
-    high = 45.0 * np.ceil(max(ends) / 45.0)
-    if prior is not None:
-        low, high = min(0.0, low), max(360.0, high)
+    low, high = _range_of(funnels, whole_turn=prior is not None)
     height = _ROW * len(funnels) + 12.0
-    panel = Panel(0.0, 0.0, width, height, (float(low), float(high)), (0.0, height))
+    panel = Panel(0.0, 0.0, width, height, (low, high), (0.0, height))
     step = degree_ticks(panel.x[1] - panel.x[0])[1]
     first = int(np.ceil(panel.x[0] / step))
     ticks = [step * k for k in range(first, int(panel.x[1] // step) + 1)]
@@ -119,6 +114,16 @@ def funnel_scene(
     if prior is not None:
         _add_prior(scene, panel, prior, funnels[0], plan)
     return scene
+
+
+def _range_of(funnels: list[Funnel], *, whole_turn: bool) -> tuple[float, float]:
+    """Return multiples of 45 degrees that hold all funnels, a full turn apart at least if asked."""
+    ends = [end for funnel in funnels for end in (*funnel.mouth, *funnel.foot)]
+    low, high = 45 * int(min(ends) // 45), 45 * ceil(max(ends) / 45)
+    while whole_turn and high - low < 360:
+        # Alternately, so that the mouth is about in the middle.
+        low, high = (low - 45, high) if sum(funnels[0].mouth) < low + high else (low, high + 45)
+    return float(low), float(high)
 
 
 def _add_funnel(scene: Scene, panel: Panel, funnel: Funnel, top: float, digits: int) -> None:
@@ -149,33 +154,34 @@ def _add_drops(scene: Scene, panel: Panel, funnel: Funnel, top: float) -> None:
 
 def _add_prior(scene: Scene, panel: Panel, prior: Prior, funnel: Funnel, plan: FeedingPlan) -> None:
     bottom = panel.height + 10.0
-    heights = _heights(prior)
-    most = max(heights)
-    x0, x1 = panel.x
-    upper = Panel(panel.left, bottom, panel.width, _CURVE_HEIGHT, (x0, x1), (0.0, 1.15 * most))
-    scene.add(rectangle(upper.at(x0, 0.0), upper.at(x1, 1.15 * most), "frame"))
-    a, b = funnel.mouth
-    for left, right, style in ((x0, x1, "density"), (a, b, "caught")):
-        scene.add(Polygon(_stairs(upper, heights, left, right), style))
-    for end in (a, b):
-        scene.add(Line((upper.at(end, 1.15 * most), panel.at(end, panel.height - 8.0)), "jump"))
-    y = bottom + _CURVE_HEIGHT + 0.9 * TEXT
+    upper = Panel(panel.left, bottom, panel.width, _CURVE_HEIGHT, panel.x, (0.0, 1.15))
+    scene.add(rectangle(upper.at(panel.x[0], 0.0), upper.at(panel.x[1], 1.15), "frame"))
+    if isinstance(prior, DiscretePrior):
+        _add_atoms(scene, upper, prior, plan.mouth)
+    else:
+        masses = bin_masses(prior)
+        heights = [mass / max(masses) for mass in masses]
+        for ends, style in ((panel.x, "density"), (funnel.mouth, "caught")):
+            scene.add(Polygon(_stairs(upper, heights, *ends), style))
+    for end in funnel.mouth:
+        scene.add(Line((upper.at(end, 1.15), panel.at(end, panel.height - 8.0)), "jump"))
     text, size = fitted(f"prior: {prior.describe()}", TEXT, panel.width)
+    y = bottom + _CURVE_HEIGHT + 0.9 * TEXT
     scene.add(Label((panel.left, y), text, size, "start", bold=True))
     caught = plan.probability if prior is plan.prior else prior.mass(plan.mouth)
-    right = panel.left + panel.width + 6.0
-    scene.add(Label((right, upper.at(0.0, most / 2)[1]), f"caught: {caught.decimal(4)}", TEXT,
-                    "start", bold=True))  # fmt: skip
+    place = (panel.left + panel.width + 6.0, upper.at(0.0, 0.5)[1])
+    scene.add(Label(place, f"caught: {caught.decimal(4)}", TEXT, "start", bold=True))
 
 
-def _heights(prior: Prior) -> list[float]:
-    """Return the probability of every arc of 3 degrees, or of the arcs that hold atoms."""
-    if not isinstance(prior, DiscretePrior):
-        return bin_masses(prior)
-    heights = [0.0] * BINS
+def _add_atoms(scene: Scene, panel: Panel, prior: DiscretePrior, mouth: Arc) -> None:
+    """Draw a bar for each orientation, shaded if the mouth holds it, which is decided exactly."""
+    most = max(float(weight) for _, weight in prior)
     for theta, weight in prior:
-        heights[int(in_degrees(theta.reduced()) / 360.0 * BINS) % BINS] += float(weight)
-    return heights
+        style = "caught" if mouth.contains(theta) else "density"
+        first = in_degrees(theta) - 360.0 * ((in_degrees(theta) - panel.x[0]) // 360.0)
+        for place in np.arange(first, panel.x[1], 360.0).tolist():
+            x, y = panel.at(place, float(weight) / most)
+            scene.add(rectangle((x - 2.0, panel.bottom), (x + 2.0, y), style))
 
 
 def _stairs(

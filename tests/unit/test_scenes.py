@@ -302,7 +302,15 @@ class TestFunnels:
     def test_another_prior_than_the_plans_own(self):
         plan = plan_feeding(RECTANGLE)
         prior = DiscretePrior.from_counts({"60": 1, "300": 1})
-        assert "caught: 0.5000" in funnel_scene(plan, prior).labels()
+        scene = funnel_scene(plan, prior)
+        assert "caught: 0.5000" in scene.labels()
+        assert len(scene.of_style("caught")) == 1
+
+    def test_an_orientation_at_the_closed_end_of_the_mouth_is_shaded(self):
+        prior = DiscretePrior.from_counts({"10": 3, "100": 5, "300": 2})
+        plan = plan_feeding(RECTANGLE, prior=prior)
+        assert plan.mouth.start == degrees("10")
+        assert len(funnel_scene(plan).of_style("caught")) == 2
 
     def test_the_caught_area_is_the_caught_share(self):
         """Area of the shaded polygon over that of the histogram of one turn: the probability."""
