@@ -5,7 +5,7 @@ Both roads, matplotlib and SVG, draw these, so that their tests can ask what is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final, final
 
@@ -14,6 +14,7 @@ import numpy as np
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.shadows import shadow
+from stochgeom.exact.vectors import AngleVector
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.radius import RadiusFunction
@@ -36,6 +37,13 @@ def in_degrees(angle: Angle) -> float:
     """
     exact = angle.rational_turns
     return float(exact * 360) if exact is not None else float(np.degrees(shadow(angle)))
+
+
+def all_in_degrees(angles: AngleVector) -> FloatArray:
+    """Return angles in degrees: exactly rounded if they are few, by their shadows if many."""
+    if len(angles) > MOST_MARKED:
+        return np.degrees(angles.shadow)
+    return np.array([in_degrees(angle) for angle in angles])
 
 
 @final
@@ -71,8 +79,8 @@ def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave
     corners = np.degrees(function.transitions.shadow)
     if len(corners) <= _MOST_TRANSITIONS:
         x = np.unique(np.concatenate((x, _repeated(corners, own, end))))
-    minima = _repeated([in_degrees(angle) for angle in function.minima], own, end)
-    maxima = _repeated([in_degrees(angle) for angle in function.maxima], own, end)
+    minima = _repeated(all_in_degrees(function.minima), own, end)
+    maxima = _repeated(all_in_degrees(function.maxima), own, end)
 
     def values(degrees: FloatArray) -> FloatArray:
         return function.evaluate(np.radians(degrees))
@@ -80,10 +88,9 @@ def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave
     return Wave(x, values(x), minima, maxima, values(minima), values(maxima))
 
 
-def _repeated(places: Sequence[float] | FloatArray, period: float, end: float) -> FloatArray:
+def _repeated(places: FloatArray, period: float, end: float) -> FloatArray:
     """Return the places and their copies by whole periods, up to the end, itself included."""
-    base = np.asarray(places, dtype=np.float64)
-    copies = [base + period * k for k in range(round(end / period) + 1)]
+    copies = [places + period * k for k in range(round(end / period) + 1)]
     every = np.concatenate(copies)
     return every[every <= end]
 
@@ -129,7 +136,7 @@ def steps_of(transfer: StepFunction, turns: int = 1) -> Steps:
 
 
 def _lifted_degrees(angles: LiftedAngles, period: float, numbers: Iterable[int]) -> FloatArray:
-    base = np.array([in_degrees(angle) for angle in angles.base])
+    base = all_in_degrees(angles.base)
     turn, place = np.divmod(np.array(list(numbers)), len(base))
     found: FloatArray = base[place] + period * turn
     return found

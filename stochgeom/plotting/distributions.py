@@ -14,11 +14,18 @@ from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.decision.priors import Prior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.shadows import TWO_PI, shadow
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.scene import GLYPH_WIDTH, Label, Line, Polygon, Scene, rectangle
 
 BINS: Final = 120
 """Into so many arcs of 3 degrees a prior is divided to be drawn."""
+
+
+MOST_BARS: Final = 360
+"""More orientations are drawn by the degree."""
+
+_MOST_NUMBERS: Final = 30
 
 
 @final
@@ -42,7 +49,7 @@ class Strip:
 
 def distribution_scene(state: Hyperstate, *, width: float = 9.0, size: float = 0.34) -> Scene:
     """Return one hyperstate with its scale of degrees, the highest bar as high as there is room."""
-    most = max(float(state.probability(k)) for k in range(len(state)))
+    most = max(bars_of_state(state)[1])
     scene, strip = Scene(), Strip(0.0, 0.0, width, 1.8, most)
     add_distribution(scene, strip, state, size)
     add_scale(scene, strip, size)
@@ -52,18 +59,20 @@ def distribution_scene(state: Hyperstate, *, width: float = 9.0, size: float = 0
 def add_distribution(scene: Scene, strip: Strip, state: Hyperstate, size: float) -> None:
     """Draw a hyperstate: a bar for each orientation, its probability above it."""
     scene.add(Line((strip.at(0.0), strip.at(360.0)), "frame"))
-    places = [in_degrees(theta) for theta in state.orientations]
-    shares = [float(state.probability(k)) for k in range(len(state))]
-    half = 0.5 * min(0.16 * size + 0.1, strip.width / (3 * max(len(state), 1)))
+    places, shares = bars_of_state(state)
+    half = 0.5 * min(0.16 * size + 0.1, strip.width / (3 * max(len(places), 1)))
     for place, share in zip(places, shares, strict=True):
         x, y = strip.at(place, share)
         scene.add(rectangle((x - half, strip.bottom), (x + half, y), "bar"))
-    texts = [_short(text) for text in state.probabilities(2)]
+    texts = [f"{share:.2f}" for share in shares]
+    if len(state) <= _MOST_NUMBERS:
+        texts = [_short(text) for text in state.probabilities(2)]
     centers = [strip.at(place)[0] for place in places]
     widths = [GLYPH_WIDTH * size * (len(text) + 0.7) for text in texts]
     placed = spread(centers, widths, strip.left - 0.3 * size, strip.left + strip.width + size)
     if placed is None:  # too many for their numbers to be read
-        note = f"{len(state)} orientations, {_short(min(texts))} to {_short(max(texts))}"
+        best = state.probability(state.most_likely()).decimal(2)
+        note = f"{len(state)} orientations, the likeliest {_short(best)}"
         level = strip.at(0, max(shares))[1] + 0.9 * size
         scene.add(Label((strip.left, level), note, size, "start"))
         return
@@ -73,6 +82,22 @@ def add_distribution(scene: Scene, strip: Strip, state: Hyperstate, size: float)
         below = [s for c, s in zip(centers, shares, strict=True) if abs(c - x) < reach + half]
         level = max([own, *below])
         scene.add(Label((x, strip.at(0, level)[1] + 0.7 * size), text, size))
+
+
+def bars_of_state(state: Hyperstate) -> tuple[list[float], list[float]]:
+    """Return places in degrees and probabilities in floats: of every orientation, if they are few.
+
+    Of more than `MOST_BARS` orientations, of every degree that has some.
+    """
+    if len(state) <= MOST_BARS:
+        places = [in_degrees(theta) for theta in state.orientations]
+        return places, [float(state.probability(k)) for k in range(len(state))]
+    sums: dict[int, float] = {}
+    for theta, k in zip(state.orientations, range(len(state)), strict=True):
+        degree = int(np.degrees(shadow(theta)))
+        share = shadow(state.widths[k]) / TWO_PI if state.masses is None else state.probability(k)
+        sums[degree] = sums.get(degree, 0.0) + float(share)
+    return [degree + 0.5 for degree in sums], list(sums.values())
 
 
 def _short(text: str) -> str:

@@ -25,12 +25,11 @@ from stochgeom.plotting.curves import (
     Steps,
     Wave,
     bars_of,
-    in_degrees,
     steps_of,
     turns_for,
     wave_of,
 )
-from stochgeom.plotting.distributions import spread
+from stochgeom.plotting.distributions import bars_of_state, spread
 from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks, wave_limits
 from stochgeom.plotting.scene import MINUS
 from stochgeom.plotting.styles import INK, STYLES
@@ -40,6 +39,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 PartLike = Part | Iterable[PointLike] | NDArray[Any]
+
+_MOST_NUMBERS: Final = 30
 
 LETTERS: Final = 8.0
 """Size of the smaller text, in points."""
@@ -260,19 +261,18 @@ def draw_distribution(state: Hyperstate, ax: Axes | None = None) -> Axes:
     ['0.313', '0.187', '0.313', '0.187']
     """
     ax = axes_or_new(ax, (6.4, 2.4))
-    places = [in_degrees(theta) for theta in state.orientations]
-    shares = [float(state.probability(k)) for k in range(len(state))]
+    places, shares = bars_of_state(state)
     style = STYLES["bar"]
     ax.bar(places, shares, width=3.0, facecolor=style.fill, edgecolor=style.stroke, linewidth=0.8)
     ax.set_ylim(0.0, 1.2 * max(shares))
     _degrees(ax, 1)
     ax.set_xlim(-6.0, 366.0)
     ax.set_ylabel("probability")
-    texts = state.probabilities(3)
+    texts = state.probabilities(3) if len(state) <= _MOST_NUMBERS else ()
     points = _points(ax)[0]
     widths = [0.62 * LETTERS * (len(text) + 0.7) * 372.0 / points for text in texts]
-    placed = spread(places, widths, -6.0, 366.0)
-    for x, share, text in zip(placed or (), shares, texts, strict=bool(placed)):
+    placed = spread(places[: len(texts)], widths, -6.0, 366.0) or ()
+    for x, share, text in zip(placed, shares, texts, strict=False):
         ax.annotate(text, (x, share), xytext=(0, 2), textcoords="offset points", ha="center",
                     va="bottom", fontsize=LETTERS, color=INK)  # fmt: skip
     return ax

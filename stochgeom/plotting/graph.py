@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final, final
@@ -153,17 +153,30 @@ def _pairs(xs: FloatArray, ys: FloatArray) -> list[list[float]]:
 
 
 def add_steps(scene: Scene, panel: Panel, steps: Steps) -> None:
-    """Draw a step function: ends that belong to a step filled, others hollow."""
+    """Draw a step function: ends that belong to a step filled, others hollow.
+
+    Many steps are drawn as one line, those that have pixels of their own.
+    """
     end = steps.end
     scene.add(Line((panel.at(0, 0), panel.at(end, end)), "diagonal"))
+    if not steps.marked:
+        scene.add(Line(tuple(panel.at(x, y) for x, y in _stairs(steps, int(panel.width))), "step"))
+        return
     rows = list(zip(steps.starts, steps.ends, steps.values, strict=True))
     for (_, x, y), (_, _, z) in pairwise(rows):
         scene.add(Line((panel.at(x, y), panel.at(x, z)), "jump"))
     scene.add(*(Line((panel.at(a, y), panel.at(b, y)), "step") for a, b, y in rows))
-    if steps.marked:
-        scene.add(*(Disc(panel.at(b, y), 2.6, "hollow") for _, b, y in rows[:-1]))
-        kept = rows[1:] if steps.cut_at_start else rows
-        scene.add(*(Disc(panel.at(a, y), 2.6, "closed") for a, _, y in kept))
+    scene.add(*(Disc(panel.at(b, y), 2.6, "hollow") for _, b, y in rows[:-1]))
+    kept = rows[1:] if steps.cut_at_start else rows
+    scene.add(*(Disc(panel.at(a, y), 2.6, "closed") for a, _, y in kept))
+
+
+def _stairs(steps: Steps, most: int) -> Iterator[XY]:
+    """Yield both ends of the steps, of about ``most`` of them."""
+    every = max(1, len(steps.values) // most)
+    columns = (column[::every].tolist() for column in (steps.starts, steps.ends, steps.values))
+    for start, end, value in zip(*columns, strict=True):
+        yield from ((start, value), (end, value))
 
 
 def add_bars(scene: Scene, panel: Panel, bars: Sequence[Bar]) -> None:

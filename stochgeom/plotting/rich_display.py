@@ -6,6 +6,7 @@ Small pictures and short tables; whoever wants more calls a drawing function or 
 from __future__ import annotations
 
 import os
+from itertools import islice
 from typing import Final
 
 from stochgeom.decision.hyperstates import Hyperstate
@@ -20,7 +21,7 @@ from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.plotting.distributions import distribution_scene
 from stochgeom.plotting.function_scenes import bars_scene, step_scene, wave_scene
 from stochgeom.plotting.part_scenes import part_scene
-from stochgeom.plotting.rich_html import plan_html, problem_html
+from stochgeom.plotting.rich_html import MOST_PREIMAGES, plan_html, problem_html
 from stochgeom.plotting.svg import svg_document
 from stochgeom.transfer.step_function import StepFunction
 
@@ -53,8 +54,8 @@ def wave_svg(function: DiameterFunction | RadiusFunction) -> str:
 
 
 def preimages_svg(chain: Preimages) -> str:
-    """Return the preimages as bars."""
-    return svg_document(bars_scene(chain), title="preimages", scale=1.0)
+    """Return the preimages as bars; of a long chain the first."""
+    return svg_document(bars_scene(islice(chain, MOST_PREIMAGES)), title="preimages", scale=1.0)
 
 
 def hyperstate_svg(state: Hyperstate) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 from typing import Final
 
 from stochgeom.feeding.plans import FeedingPlan
@@ -20,8 +21,8 @@ _MOST_ROWS: Final = 12
 
 _MOST_TRACED: Final = 5
 _COLUMNS: Final = 4
-_MOST_STEPS: Final = 20_000
-"""A problem of more steps is not solved only to be shown."""
+MOST_PREIMAGES: Final = 40
+"""A longer chain is not computed, or drawn, to its end."""
 
 
 def plan_html(plan: FeedingPlan) -> str:
@@ -56,13 +57,12 @@ def _plan_picture(plan: FeedingPlan, title: str) -> str:
 
 def problem_html(problem: FeedingProblem) -> str:
     """Return a problem's functions and preimages over a table of what each plan length catches."""
-    steps = len(problem.transfer)
     name = problem.part.name if problem.part is not None and problem.part.name else "part"
     period = problem.transfer.period
-    summary = f"{name}, {problem.action}: {steps} steps in a period of {period}"
-    if steps > _MOST_STEPS:
-        return f"<p>{text_of(summary)}</p>"
-    chain = list(problem.preimages)
+    count = len(problem.transfer)
+    steps = f"{count} step{'s' if count != 1 else ''}"
+    summary = f"{name}, {problem.action}: {steps} in a period of {period}"
+    chain = list(islice(problem.preimages, MOST_PREIMAGES))
     wave: DiameterFunction | RadiusFunction | None = None
     if problem.part is not None:
         pushes = problem.action == "push-grasp"
@@ -74,7 +74,7 @@ def problem_html(problem: FeedingProblem) -> str:
         share = "none for sure" if placed is None else placed.probability.decimal(4)
         rows.append([str(preimage.steps), f"{preimage.width.degrees()}°", share])
     if len(chain) > _MOST_ROWS:
-        rows.append(["…", f"{len(chain) - _MOST_ROWS} more", ""])
+        rows.append(["…", "and more", ""])
     header = ["actions", "width of the preimage", "probability"]
     picture = svg_document(scene, title=summary, scale=1.0)
     return f"<p>{text_of(summary)}</p>\n{picture}\n{_table(header, rows)}"

@@ -15,9 +15,9 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from stochgeom.exact.algebraic import is_algebraic
-from stochgeom.exact.surds import scalar_to_float
+from stochgeom.exact.surds import Scalar, scalar_to_float
 from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import Point, PointLike
+from stochgeom.geometry.points import Point, PointLike, Points
 from stochgeom.plotting.scene import XY
 
 FloatArray = NDArray[np.float64]
@@ -90,9 +90,8 @@ def silhouette(
     [[-0.8, -0.6], [0.8, -0.6], [0.8, 0.6], [-0.8, 0.6]]
     """
     part = as_part(part)
-    hull = part.hull.points.pairs()
-    middle = tuple(_middle([point[k] for point in hull]) for k in (0, 1))
-    unit = max(abs(point[k] - middle[k]) for point in hull for k in (0, 1))
+    hull = part.hull.points
+    middle, unit = _box(hull)
     # Of field elements the difference alone is taken: a quotient would cost milliseconds.
     scale = mpq(1) if is_algebraic(unit) else 1 / mpq(unit)
 
@@ -103,11 +102,19 @@ def silhouette(
         ]
         return np.array(rows, dtype=np.float64)
 
-    corners = floats(hull)
+    def all_floats(points: Points) -> FloatArray:
+        if points.w is not None or points.x.dtype == object:
+            return floats(points.pairs())
+        # Integers below 2**52: twice their distance from the middle is exact in int64.
+        doubled = (2 * middle[0] * points.scale, 2 * middle[1] * points.scale)
+        columns = [2 * v - int(m) for v, m in zip((points.x, points.y), doubled, strict=True)]
+        return np.stack(columns, axis=1) / float(2 * unit * points.scale)
+
+    corners = all_floats(hull)
     radius = float(np.hypot(corners[:, 0], corners[:, 1]).max())
     mass = floats([part.center_of_mass])[0] / radius
     return Silhouette(
-        _visible(floats(part.vertices) / radius, most),
+        _visible(all_floats(part.points) / radius, most),
         _visible(corners / radius, most),
         tuple(_visible(floats(hole) / radius, most) for hole in part.holes),
         (float(mass[0]), float(mass[1])),
@@ -115,8 +122,19 @@ def silhouette(
     )
 
 
-def _middle(values: list[Any]) -> Any:
-    return (min(values) + max(values)) * mpq(1, 2)
+def _box(points: Points) -> tuple[Point, Scalar]:
+    """Return the middle of the bounding box of points, and half its longer side."""
+    sides = []
+    for values in (points.x, points.y):
+        if points.w is None:
+            low, high = min(values.tolist()), max(values.tolist())
+            share: Any = 1 / mpq(2 * points.scale)
+        else:
+            ratios = [mpq(v, w) for v, w in zip(values, points.w, strict=True)]
+            low, high, share = min(ratios), max(ratios), mpq(1, 2)
+        sides.append(((low + high) * share, (high - low) * share))
+    (x, width), (y, height) = sides
+    return (x, y), max(width, height)
 
 
 def _visible(points: FloatArray, most: int) -> FloatArray:

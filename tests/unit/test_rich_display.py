@@ -7,6 +7,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 
+import numpy as np
 import pytest
 
 import stochgeom as sg
@@ -111,6 +112,27 @@ def test_a_problem_tells_where_nothing_is_caught_for_sure():
         sg.catalogue_part("4gon"), prior=sg.WrappedNormal("40", "30"), gripper_error="40"
     )
     assert "none for sure" in problem._repr_html_()
+
+
+def test_large_values_are_shown_short():
+    """100,000 vertices, 270 steps, 180 states: pictures stay pictures."""
+    k = np.arange(-50_000, 50_000)
+    parabola = sg.Part(np.stack([k, k * k], axis=1))
+    assert len(parabola._repr_svg_()) < 20_000
+    assert len(sg.DiameterFunction(parabola)._repr_svg_()) < 20_000
+    problem = sg.FeedingProblem(sg.FAMILIES["Reuleaux-like parts"].generate(90, 1))
+    assert len(problem.transfer._repr_svg_()) < 20_000
+    assert len(problem._repr_html_()) < 40_000
+    plan = problem.geometric_plan()
+    assert len(plan._repr_html_()) < 40_000
+    assert len(plan.distribution(1)._repr_svg_()) < 40_000
+
+
+def test_more_states_than_degrees_are_summed_by_the_degree():
+    width = sg.Angle.from_turns("1/720")
+    state = sg.Hyperstate(tuple(width * k for k in range(720)), (width,) * 720)
+    root = parsed(state._repr_svg_())
+    assert len(root.findall(f"{SVG}polygon")) == 360
 
 
 def test_coordinates_beyond_floats_are_shown():
