@@ -24,16 +24,18 @@ if TYPE_CHECKING:
     from stochgeom.decision.hyperstates import Hyperstate
     from stochgeom.decision.mixture_prior import MixturePrior
     from stochgeom.decision.piecewise_prior import PiecewisePrior
-    from stochgeom.decision.prior_estimates import PriorEstimate
+    from stochgeom.decision.prior_estimates import PriorEstimate, cells_between
     from stochgeom.decision.priors import Prior, Window, uniform_prior
     from stochgeom.decision.rejections import Observation, Rejections
     from stochgeom.errors import StochgeomError
+    from stochgeom.exact.algebraic import Algebraic
     from stochgeom.exact.angles import EIGHTH_TURN, FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
     from stochgeom.exact.arcs import Arc, ClosedArc, union_arcs, union_measure
     from stochgeom.exact.forms import sign_of_form
     from stochgeom.exact.ratios import TurnRatio
     from stochgeom.exact.scalars import from_float_exact, from_float_shortest, rational
     from stochgeom.exact.sums import AngleSum
+    from stochgeom.exact.surds import exact_scalar
     from stochgeom.exact.vectors import AngleVector
     from stochgeom.feeding.actions import Action
     from stochgeom.feeding.adversarial import FAMILIES
@@ -89,7 +91,9 @@ if TYPE_CHECKING:
     from stochgeom.transfer.step_function import StepFunction
 
 _HOMES = {
+    "Algebraic": "exact.algebraic",
     "AngleSum": "exact.sums",
+    "exact_scalar": "exact.surds",
     "CallablePrior": "decision.callable_prior",
     "DiscretePrior": "decision.discrete_prior",
     "MixturePrior": "decision.mixture_prior",
@@ -98,6 +102,7 @@ _HOMES = {
     "Prior": "decision.priors",
     "PriorEstimate": "decision.prior_estimates",
     "Rejections": "decision.rejections",
+    "cells_between": "decision.prior_estimates",
     "VonMises": "decision.density_priors",
     "Window": "decision.priors",
     "WrappedNormal": "decision.density_priors",
@@ -190,6 +195,7 @@ __all__ = [
     "QUARTER_TURN",
     "ZERO",
     "Action",
+    "Algebraic",
     "Angle",
     "AngleSum",
     "AngleVector",
@@ -227,6 +233,7 @@ __all__ = [
     "antipodal_pairs",
     "catalogue_names",
     "catalogue_part",
+    "cells_between",
     "check_claim",
     "convex_hull",
     "draw_analysis",
@@ -249,6 +256,7 @@ __all__ = [
     "draw_step_function",
     "draw_trace",
     "draw_uncertain_grasp",
+    "exact_scalar",
     "from_float_exact",
     "from_float_shortest",
     "load_part",

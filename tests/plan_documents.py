@@ -36,6 +36,7 @@ PLAN_KEYS = {
     "probability_up_to_symmetry",
     "orients_up_to_symmetry",
     "margin",
+    "error_bound",
 }
 
 
@@ -237,12 +238,16 @@ def _check_plan(
     assert first["low"] is None
     assert first["high"] is None
     assert angle_of(first["angle"], digits) == ZERO
-    distances = []
+    distances, slacks = [], []
     for action in others:
         assert set(action) == {"angle", "low", "high"}
         low, angle, high = (angle_of(action[key], digits) for key in ("low", "angle", "high"))
         assert low < angle <= high
         distances += [angle - low, high - angle]
+        slacks.append(high - low)
+    bound = document["error_bound"]
+    assert (bound is None) == (not slacks)
+    assert bound is None or angle_of(bound["doubled"], digits) == min(slacks)
     margin = document["margin"]
     assert (margin is None) == (not distances)
     assert margin is None or angle_of(margin, digits) == min(distances)

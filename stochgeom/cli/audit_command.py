@@ -11,6 +11,7 @@ from stochgeom.cli.layout import table
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import InputError
+from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
 from stochgeom.io.files import write_whole
 
 if TYPE_CHECKING:  # loaded when the command runs: other commands start without them
@@ -32,6 +33,12 @@ def add_parser(commands: Any) -> None:
         "--count", default="20", metavar="N", help="parts of each family; default 20"
     )
     parser.add_argument("--seed", default="0", metavar="S", help="the first seed; default 0")
+    parser.add_argument(
+        "--action",
+        default="squeeze",
+        choices=sorted(TRANSFER_FUNCTIONS),
+        help="what the gripper does; default squeeze",
+    )
     parser.add_argument("--no-search", action="store_true", help="leave out the exhaustive search")
     parser.add_argument(
         "--finding",
@@ -57,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         families = [name.strip() for name in arguments.families.split(",")]
     count, seed = _whole(arguments.count, "--count"), _whole(arguments.seed, "--seed")
     search = None if arguments.no_search else compare_with_search
-    audited = audit(families, count, seed, exhaustive=search)
+    audited = audit(families, count, seed, action=arguments.action, exhaustive=search)
     total = count * len(families or FAMILIES)
     found: list[AuditRow] = []
     with Progress("parts audited") as progress:
@@ -71,9 +78,11 @@ def run(arguments: argparse.Namespace) -> int:
     write_whole(arguments.finding, found[0].reproduction())
     if not arguments.json:
         case = found[0].case
+        action = "" if arguments.action == "squeeze" else f" --action {arguments.action}"
         write(
             f"\n{case.family}, size {case.size}, seed {case.seed}: {found[0].disagreement}\n"
-            f"The part is in {arguments.finding}; stochgeom plan {arguments.finding} plans it."
+            f"The part is in {arguments.finding}; stochgeom plan {arguments.finding}{action} plans "
+            "it."
         )
     return 1
 

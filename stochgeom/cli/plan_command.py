@@ -12,6 +12,7 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_text import plan_text
 from stochgeom.cli.progress import Progress
+from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import FormatError, InputError
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, FeedingProblem
@@ -31,6 +32,7 @@ tenth. examples:
   stochgeom plan outline.txt --cost-ratio 1/2 --certificate plan.json
   stochgeom plan --vertices "0,0 3,0 3,2 0,2" --json
   stochgeom plan house --center-of-mass "0,2/5" --action push-grasp --gripper-error 2
+  stochgeom plan outline.txt --prior normal:30,12 --goal "most stable"
 """
 
 
@@ -69,7 +71,8 @@ def add_problem_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--prior",
         metavar="PRIOR",
-        help='how parts arrive: uniform (default), "normal:MEAN,SD" in degrees, or a file',
+        help='how parts arrive: uniform (default), "normal:MEAN,SD" in degrees, or a file with a '
+        "measured orientation to a line, or JSON",
     )
     parser.add_argument(
         "--gripper-error",
@@ -93,12 +96,12 @@ def run(arguments: argparse.Namespace) -> int:
     """Plan, print, return the exit code."""
     digits = read_digits(arguments.digits)
     problem = make_problem(arguments)
-    optimal = problem.optimal_plan(arguments.cost_ratio)  # refuses a bad ratio before the work
+    cost_ratio = as_cost_ratio(arguments.cost_ratio)  # refused before the work, if it is bad
     with Progress("phase I: width of the last preimage, of a period") as progress:
         for preimage in problem.preimages:
             progress.show(float(TurnRatio(mpq(problem.transfer.order), preimage.width)))
-    complete = problem.preimages.complete
-    geometric = problem.geometric_plan(arguments.cost_ratio) if complete else None
+    optimal = problem.optimal_plan(cost_ratio)
+    geometric = problem.geometric_plan(cost_ratio) if problem.preimages.complete else None
     if arguments.certificate is not None:
         write_whole(arguments.certificate, json.dumps(optimal.certificate(), indent=1) + "\n")
     if arguments.json:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
+from stochgeom.cli.printed_ranges import error_text
 from stochgeom.decision.costs import Number, expected_cost
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.decimals import Rounding
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.feeding.stability import stabilities
 
 MOST_ROWS = 40
 """Longer tables are cut in the middle; ``--json`` has every row."""
@@ -58,40 +60,6 @@ def _convention(plan: FeedingPlan) -> str:
     return "\n".join(lines)
 
 
-def error_text(
-    problem: FeedingProblem, optimal: FeedingPlan, geometric: FeedingPlan | None, digits: int
-) -> str:
-    """Return what the plans bear of gripper error, in a line each."""
-    lines = []
-    if problem.gripper_error is not None:
-        given = problem.gripper_error.degrees(digits)
-        lines.append(f"Every action may be off by {given} degrees either way.")
-    plans = {plan.steps: plan for plan in (optimal, geometric) if plan is not None}
-    for plan in plans.values():
-        margin = plan.margin
-        name = f"The {plan.steps}-step plan"
-        if margin is None and plan.prior is None:
-            lines.append(f"{name} bears any gripper error: its only turn is random.")
-        elif margin is None:
-            lines.append(f"{name} has one turn, and an error of it moves the mouth.")
-        else:
-            least = margin.degrees(digits, Rounding.DOWN)
-            lines.append(f"{name} bears every gripper error below {least} degrees.")
-    if problem.gripper_error is not None:
-        lines.append(_largest_error(problem, complete=geometric is not None, digits=digits))
-    return "\n".join(lines)
-
-
-def _largest_error(problem: FeedingProblem, *, complete: bool, digits: int) -> str:
-    how = "uniquely" if problem.transfer.order == 1 else "up to symmetry"
-    bound = problem.largest_gripper_error()
-    if bound is None:
-        return f"One action orients the part {how}, whatever its error."
-    lacking = "" if complete else f"No plan orients the part {how} with this error. "
-    most = bound.degrees(digits)
-    return f"{lacking}Plans that orient it {how} exist for every error below {most} degrees."
-
-
 def _headline(problem: FeedingProblem, digits: int) -> str:
     part, transfer = problem.part, problem.transfer
     lines = []
@@ -115,11 +83,13 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
     if problem.prior is not None:
         lines.append(f"prior: {problem.prior.describe()}")
     if problem.goal is not None:
-        final = ", ".join(
-            (transfer.values[k] % transfer.period).degrees(digits)
-            for k in problem.final_steps or ()
-        )
-        lines.append(f"goal: {_goal_words(problem)}, the final orientation at {final} degrees")
+        finals = [transfer.values[k] % transfer.period for k in problem.final_steps or ()]
+        angles = ", ".join(angle.degrees(digits) for angle in finals)
+        line = f"goal: {_goal_words(problem)}, the final orientation at {angles} degrees"
+        if part is not None:
+            psi = ", ".join(p.degrees(digits, Rounding.DOWN) for p in stabilities(part, finals))
+            line += f"; it bears a disturbance below {psi} degrees"
+        lines.append(line)
     return "\n".join(lines)
 
 
@@ -142,15 +112,26 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
                 outcome.most_likely().decimal(digits),
             ]
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
-    return f"{title}\n{table(header, [rows[step] for step in steps])}"
+    lines = [title, table(header, [rows[step] for step in steps])]
+    if plan.prior is not None:
+        lines.append(_caught(plan, digits))
+    return "\n".join(lines)
+
+
+def _caught(plan: FeedingPlan, digits: int) -> str:
+    """Return where the mouth stands, which the first action aims at what the prior expects."""
+    mouth = plan.mouth
+    if mouth.width == FULL_TURN:
+        return "  catches every orientation"
+    low, high = mouth.start.degrees(digits, Rounding.UP), mouth.end.degrees(digits, Rounding.DOWN)
+    sure = " for sure" if plan.gripper_error else ""
+    return f"  catches{sure} what arrives from {low} to {high} degrees"
 
 
 def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:
-    """Return the angle and the range as decimals that work as they stand."""
-    if action.low is None or action.high is None:
-        if random:
-            return "random", "any angle"
-        return action.angle.degrees(digits), "the prior"
+    """Return the angle of an action and what it works for, in words."""
+    if action.low is None:
+        return ("random", "any angle") if random else (action.angle.degrees(digits), "the prior")
     angle, low, high = action.decimals(digits)
     return angle, f"({low}, {high}]"
 

@@ -6,6 +6,8 @@ from typing import Any
 
 from stochgeom.cli.layout import count, table
 from stochgeom.exact.decimals import Rounding
+from stochgeom.exact.scalars import rational_text
+from stochgeom.feeding.nearby_courses import PartErrorReport
 from stochgeom.feeding.reports import Margin, PlanReport
 from stochgeom.io.plan_json import angle_json
 
@@ -16,22 +18,27 @@ MOST_ROWS = 40
 def report_text(report: PlanReport, name: str, digits: int) -> str:
     """Return the report for people."""
     order = report.transfer.order
-    up_to = " (up to symmetry)" if report.orients_up_to_symmetry else ""
+    up_to = " (up to symmetry)" if report.orients_up_to_symmetry and order > 1 else ""
     either = (
         report.probability_up_to_symmetry.decimal(digits),
         report.expected_cost_up_to_symmetry.decimal(digits),
     )
-    what = f"{report.final_orientations} final orientations{up_to}"
+    what = f"{count(report.final_orientations, 'final orientation')}{up_to}"
     mouth = f"{report.mouth.width.degrees(digits)} wide from {report.mouth.start.degrees(digits)}"
     worth = f"probability {report.probability.decimal(digits)}"
     cost = f"expected cost {report.expected_cost.decimal(digits)}"
+    if order > 1:
+        cost += f" (any of {order} equivalent ones: {either[0]} and {either[1]})"
     lines = [
         f"{count(report.steps, 'action')} on {name}: {what}",
         f"widest arc that is collapsed: {mouth}, to {report.final_orientation.degrees(digits)}",
-        f"{worth}, {cost} (any of {order} equivalent ones: {either[0]} and {either[1]})",
+        f"{worth}, {cost}",
         _comparison(report, digits),
     ]
-    return "\n\n".join(["\n".join(lines), _margins(report, digits), _arcs(report, digits)])
+    blocks = ["\n".join(lines), _margins(report, digits), _arcs(report, digits)]
+    if report.part_errors is not None:
+        blocks.append(_part_errors(report.part_errors, digits))
+    return "\n\n".join(blocks)
 
 
 def _comparison(report: PlanReport, digits: int) -> str:
@@ -74,6 +81,26 @@ def _arcs(report: PlanReport, digits: int) -> str:
     return title + "\n" + table(["from", "width", "ends in"], rows) + _more(len(report.collapsed))
 
 
+def _part_errors(proof: PartErrorReport, digits: int) -> str:
+    """Return what is proven for parts whose vertices are off."""
+    near = f"every part with vertices within {rational_text(proof.vertex_error)} of the given ones"
+    if not proof.proven:
+        return f"Not proven for {near}: {proof.reason}."
+    rows = [
+        [
+            start.start.degrees(digits, Rounding.UP),
+            start.end.degrees(digits, Rounding.DOWN),
+            final.start.degrees(digits, Rounding.DOWN),
+            final.end.degrees(digits, Rounding.UP),
+        ]
+        for start, final in zip(proof.starts, proof.finals, strict=True)
+    ]
+    same = "in one orientation each" if proof.one_orientation else "with the same edges flush"
+    title = f"Proven for {near}, which end {same}"
+    header = ["from", "to", "ends from", "to"]
+    return title + "\n" + table(header, rows[:MOST_ROWS]) + _more(len(rows))
+
+
 def _more(rows: int) -> str:
     return f"\n  ... and {rows - MOST_ROWS} more" if rows > MOST_ROWS else ""
 
@@ -111,4 +138,29 @@ def report_document(report: PlanReport, digits: int) -> dict[str, Any]:
             }
             for item in report.collapsed
         ],
+        **_proof_json(report.part_errors, digits),
     }
+
+
+def _proof_json(proof: PartErrorReport | None, digits: int) -> dict[str, Any]:
+    if proof is None:
+        return {}
+    arcs = [
+        {
+            "start": angle_json(start.start, digits),
+            "width": angle_json(start.width, digits),
+            "final": {
+                "start": angle_json(final.start, digits),
+                "width": angle_json(final.width, digits),
+            },
+        }
+        for start, final in zip(proof.starts, proof.finals, strict=True)
+    ]
+    found = {
+        "vertex_error": rational_text(proof.vertex_error),
+        "proven": proof.proven,
+        "reason": proof.reason,
+        "one_orientation": proof.one_orientation,
+        "arcs": arcs,
+    }
+    return {"part_errors": found}

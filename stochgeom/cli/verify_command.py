@@ -10,6 +10,7 @@ from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
+from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
 from stochgeom.io.embedded import CERTIFICATE, find_block, is_page
 from stochgeom.io.load import load_part
 
@@ -19,6 +20,8 @@ examples:
   stochgeom verify plan.json
   stochgeom verify report.html
   stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative --claims up-to-symmetry
+  stochgeom verify --part house --center-of-mass "0,2/5" --action push-grasp --angles "0, 72, 207"
+  stochgeom verify --part rectangle --angles "0, -45" --vertex-error 1/10
 
 The checker is one file that imports nothing of the package; it can be run by itself:
 
@@ -26,6 +29,18 @@ The checker is one file that imports nothing of the package; it can be run by it
 
 It is {path}
 """
+
+# Options that say nothing about a certificate.
+_OF_ANGLES = (
+    "part",
+    "angles",
+    "action",
+    "center-of-mass",
+    "vertex-error",
+    "cumulative",
+    "cost-ratio",
+    "claims",
+)
 
 
 def add_parser(commands: Any) -> None:
@@ -35,7 +50,8 @@ def add_parser(commands: Any) -> None:
         help="check a plan",
         description="Check a certificate written by `stochgeom plan --certificate`: every claim "
         "is computed anew, and the first that fails is named. Or run a list of angles on a part "
-        "and report what it does. Exit code 1 if a claim fails.",
+        "and report what it does. Exit code 1 if a claim fails, or is not proven for parts with "
+        "the vertex error.",
         epilog=_EPILOG.format(path=checker.__file__),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -47,9 +63,20 @@ def add_parser(commands: Any) -> None:
         help='degrees or directions, such as "0, 71, 35.5, 3:2", each relative to the last pose',
     )
     parser.add_argument(
+        "--action",
+        choices=sorted(TRANSFER_FUNCTIONS),
+        help="what the gripper does; default squeeze",
+    )
+    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    parser.add_argument(
+        "--vertex-error",
+        metavar="E",
+        help="also try to prove it for every part with vertices within E of the given ones",
+    )
+    parser.add_argument(
         "--cumulative", action="store_true", help="the angles are poses of the gripper"
     )
-    parser.add_argument("--cost-ratio", default="1", metavar="C", help="default 1")
+    parser.add_argument("--cost-ratio", metavar="C", help="default 1")
     parser.add_argument(
         "--claims", metavar="CLAIM", help="up-to-symmetry, or probability=P: at least P"
     )
@@ -61,21 +88,31 @@ def add_parser(commands: Any) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Check, print the verdict, return the exit code."""
     digits = read_digits(arguments.digits)
-    given = [arguments.part is not None, arguments.angles is not None]
-    if arguments.file is not None and not any(given):
-        return _verify_certificate(arguments.file, arguments.json)
-    if arguments.file is not None or not all(given):
-        raise InputError("accepted: FILE alone, or --part and --angles together")
-    return _verify_angles(arguments, digits)
+    if arguments.file is None:
+        if arguments.part is None or arguments.angles is None:
+            raise InputError("accepted: FILE alone, or --part and --angles together")
+        return _verify_angles(arguments, digits)
+    for option in _OF_ANGLES:
+        if getattr(arguments, option.replace("-", "_")):
+            raise InputError(
+                f"--{option} is about angles, and a certificate says all of its plan; "
+                "accepted: FILE alone, or --part and --angles together"
+            )
+    return _verify_certificate(arguments.file, arguments.json)
 
 
 def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
     from stochgeom.cli.report_text import report_document, report_text
     from stochgeom.feeding.verification import check_claim, verify_plan
 
-    part = load_part(arguments.part)
+    part = load_part(arguments.part, center_of_mass=arguments.center_of_mass)
     report = verify_plan(
-        part, arguments.angles, arguments.cost_ratio, cumulative=arguments.cumulative
+        part,
+        arguments.angles,
+        arguments.cost_ratio or 1,
+        cumulative=arguments.cumulative,
+        action=arguments.action or "squeeze",
+        vertex_error=arguments.vertex_error,
     )
     failure = None
     if arguments.claims is not None:
@@ -93,7 +130,8 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
         if arguments.claims is not None:
             verdict = "holds" if failure is None else f"fails, {failure.message}"
             write(f"\nthe claim {arguments.claims} {verdict}")
-    return 0 if failure is None else 1
+    proven = report.part_errors is None or report.part_errors.proven
+    return 0 if failure is None and proven else 1
 
 
 def _verify_certificate(path: str, wants_json: bool) -> int:

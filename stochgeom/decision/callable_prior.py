@@ -104,7 +104,7 @@ class CallablePrior(Prior):
         where = f"theta = {x:.9g}"
         try:
             value = float(self._function(x % TWO_PI))
-        except (TypeError, ValueError) as error:
+        except (TypeError, ValueError, ArithmeticError) as error:
             raise PriorError(
                 f"the density fails: {error}; accepted: numbers", where=where
             ) from error

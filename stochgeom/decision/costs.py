@@ -18,6 +18,7 @@ from stochgeom.exact.balls import Ball, certified_float
 from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
     import sympy
@@ -91,20 +92,30 @@ class CostOverProbability:
         r = sympy.Rational(int(self.per_round.numerator), int(self.per_round.denominator))
         return r / self.probability.to_sympy()
 
-    def compare(self, other: CostOverProbability) -> int:
-        """Return -1, 0 or 1: r / p < s / q iff r q < s p."""
-        mine = other.probability.scaled(self.per_round)
-        return int(mine.compare(self.probability.scaled(other.per_round)))
+    def compare(self, other: CostOverProbability | TurnRatio) -> int:
+        """Return -1, 0 or 1: r / p < s / q iff r q < s p.
+
+        Raises
+        ------
+        InputError
+            If the other one is no cost.
+        """
+        theirs = _over_probability(other)
+        mine = theirs.probability.scaled(self.per_round)
+        return int(mine.compare(self.probability.scaled(theirs.per_round)))
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, CostOverProbability):
+        try:
+            return self.compare(_over_probability(other)) == 0
+        except InputError:
             return NotImplemented
-        return self.compare(other) == 0
 
     def __hash__(self) -> int:
-        return hash(self.decimal(12))
+        # Equal costs may be of different kinds, so only the value can be hashed.
+        exact = self.rational
+        return hash(self.decimal(12)) if exact is None else hash(exact)
 
-    def __lt__(self, other: CostOverProbability) -> bool:
+    def __lt__(self, other: CostOverProbability | TurnRatio) -> bool:
         return self.compare(other) < 0
 
     def __float__(self) -> float:
@@ -112,6 +123,15 @@ class CostOverProbability:
 
     def __str__(self) -> str:
         return self.decimal(4)
+
+
+def _over_probability(cost: object) -> CostOverProbability:
+    """Return a cost under any prior, the uniform one included, as one of this kind."""
+    if isinstance(cost, CostOverProbability):
+        return cost
+    if isinstance(cost, TurnRatio) and cost.inverse:
+        return CostOverProbability(cost.coefficient, AngleSum(0, [(1, cost.angle)]))
+    raise InputError(f"{cost!r:.60} is no expected cost; accepted: one")
 
 
 def expected_cost(per_round: mpq, probability: Probability) -> Number:

@@ -1,14 +1,17 @@
 """Priors on finitely many orientations, with rational weights (thesis App. F).
 
-The best window begins at one of the points: moving a window's start up to its first point loses
+Some best window begins at one of the points: moving a window's start up to its first point loses
 nothing. So the a points are tried in turn; with them sorted once, a width costs O(a) additions and
 one search each, on arrays.
+
+Windows that begin a little below an angle catch what the window there does. So there is no smallest
+best start, unless 0 is one: then it is taken, else the smallest at a point.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import final
+from typing import Final, final
 
 from gmpy2 import mpq
 
@@ -17,15 +20,18 @@ from stochgeom.decision.priors import (
     Prior,
     Window,
     as_orientation,
+    as_pairs,
     as_share,
     check_width,
     normalise,
 )
 from stochgeom.errors import PriorError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum
+
+_POINT: Final = "an orientation and its weight"
 
 
 @final
@@ -67,7 +73,7 @@ class DiscretePrior(Prior):
         weights: Mapping[Angle | RationalLike, RationalLike]
         | Iterable[tuple[Angle | RationalLike, RationalLike]],
     ) -> None:
-        pairs = list(weights.items() if isinstance(weights, Mapping) else weights)
+        pairs = as_pairs(weights, what="point", accepted=_POINT)
         listed = [
             (as_orientation(key, where=f"point {k}"), as_share(value, where=f"point {k}"))
             for k, (key, value) in enumerate(pairs)
@@ -91,7 +97,7 @@ class DiscretePrior(Prior):
         >>> DiscretePrior.from_counts({"10": 3, "200": 1}).weights
         (mpq(3,4), mpq(1,4))
         """
-        pairs = list(counts.items() if isinstance(counts, Mapping) else counts)
+        pairs = as_pairs(counts, what="point", accepted=_POINT)
         shares = normalise([count for _, count in pairs])
         return cls([(key, share) for (key, _), share in zip(pairs, shares, strict=True)])
 
@@ -138,10 +144,11 @@ class DiscretePrior(Prior):
         return AngleSum(mpq(caught, self.points.denominator))
 
     def best_window(self, width: Angle) -> Window:
-        """Return the best window that begins at a point: no window is better.  O(a) on arrays."""
+        """Return the window at 0 if it is a best one, else one at a point.  O(a) on arrays."""
         first, caught = self.points.heaviest(check_width(width))
+        at_zero = self.points.numerator_below(width) == caught
         mass = AngleSum(mpq(caught, self.points.denominator))
-        return Window(self.points.angles[first], mass, exact=True)
+        return Window(ZERO if at_zero else self.points.angles[first], mass, exact=True)
 
     def __repr__(self) -> str:
         pairs = ", ".join(f"({angle!r}, {str(weight)!r})" for angle, weight in self)

@@ -5,7 +5,7 @@ linear in theta between the places a_i, a_i - h, b_j and b_j - h. Moving theta u
 that point; moving it up past a_i - h gains it, and not before: p is continuous from the left. So
 the largest mass, or its supremum, is found among
 
-1. p(theta) at every a_i, b_j and b_j - h: attained;
+1. p(theta) at 0 and at every a_i, b_j and b_j - h: attained;
 2. the limits of p from the right at every a_i - h: in general not attained.
 
 If a limit exceeds all of 1, no window is best; one just above that limit's place is returned,
@@ -109,6 +109,8 @@ class StepMeasure:
         margin = self.density.margin + 2.0**-48
         (near,) = np.nonzero(values >= values.max() - 2 * margin)
         attained: dict[Angle, _Candidate] = {}
+        if not k:  # 0 is a break of every density
+            attained[ZERO] = _Candidate(ZERO, self.mass(Arc(ZERO, width)))
         limits: list[_Candidate] = []
         for index in near.tolist():
             if index < 2 * k:

@@ -19,7 +19,7 @@ from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.measures import StepMeasure
 from stochgeom.decision.piecewise_prior import PiecewisePrior
-from stochgeom.decision.priors import Prior, UniformPrior, Window, as_share, check_width
+from stochgeom.decision.priors import Prior, UniformPrior, Window, as_pairs, as_share, check_width
 from stochgeom.decision.step_density import StepDensity
 from stochgeom.errors import InputError, PriorError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
@@ -69,7 +69,8 @@ class MixturePrior(Prior):
 
     def __init__(self, components: Iterable[tuple[RationalLike, Prior]]) -> None:
         listed = []
-        for k, (value, prior) in enumerate(components):
+        pairs = as_pairs(components, what="component", accepted="a weight and a prior")
+        for k, (value, prior) in enumerate(pairs):
             if not isinstance(prior, Prior):
                 raise InputError(f"{prior!r}; accepted: priors", where=f"component {k}")
             listed.append((as_share(value, where=f"component {k}"), prior))

@@ -8,19 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import final
+from typing import Any, Final, final
 
 from gmpy2 import mpq
 
 from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.measures import StepMeasure
-from stochgeom.decision.priors import Prior, Window, as_share, normalise
+from stochgeom.decision.priors import Prior, Window, as_orientation, as_pairs, as_share, normalise
 from stochgeom.decision.step_density import StepDensity
 from stochgeom.errors import PriorError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.exact.sums import AngleSum
+
+MAX_BINS: Final = 100_000
 
 
 @final
@@ -54,7 +56,7 @@ class PiecewisePrior(Prior):
     def __init__(self, pieces: Iterable[tuple[Arc, RationalLike]]) -> None:
         listed = [
             (arc, as_share(value, where=f"piece {k}", what="density"))
-            for k, (arc, value) in enumerate(pieces)
+            for k, (arc, value) in enumerate(_as_pieces(pieces, "density"))
         ]
         if not listed:
             raise PriorError("no pieces; accepted: one or more arcs with densities")
@@ -64,7 +66,7 @@ class PiecewisePrior(Prior):
             exact = total.rational
             shown = total.decimal(6) if exact is None else rational_text(exact)
             raise PriorError(
-                f"the density of {len(listed)} pieces integrates to {shown}; "
+                f"{len(listed)} densities integrate to {shown} over their arcs; "
                 "accepted: densities per full turn of integral 1, or from_masses"
             )
         self.density = StepDensity.of_arcs(listed, mpq(1))
@@ -85,7 +87,7 @@ class PiecewisePrior(Prior):
         mpq(5,6)
         """
         listed = []
-        for k, (arc, value) in enumerate(pieces):
+        for k, (arc, value) in enumerate(_as_pieces(pieces, "mass")):
             mass, turns = as_share(value, where=f"piece {k}", what="mass"), arc.width.rational_turns
             if turns is None:
                 raise PriorError(
@@ -145,6 +147,39 @@ class PiecewisePrior(Prior):
         arcs = [Arc(a, b - a) for a, b in pairwise(places)]
         return cls.from_masses(zip(arcs, shares, strict=True))
 
+    @classmethod
+    def from_measurements(
+        cls, degrees: Iterable[Angle | RationalLike], bins: int = 36
+    ) -> PiecewisePrior:
+        """Return the histogram of measured orientations, in bins of one width from 0 on.
+
+        Parameters
+        ----------
+        degrees : iterable of text, rational numbers or Angle
+            Orientations in degrees, taken modulo 360. One on an edge is in the bin above it.
+        bins : int, default 36
+            How many there are, from 1 to `MAX_BINS`.
+
+        Raises
+        ------
+        PriorError
+            If there are no measurements, or the number of bins is not acceptable.
+
+        Examples
+        --------
+        >>> prior = PiecewisePrior.from_measurements(["12.5", "359", "-0.5", "90"], bins=4)
+        >>> prior.mass(Arc(Angle.from_degrees(270), Angle.from_degrees(180))).rational
+        mpq(3,4)
+        """
+        given: object = bins
+        if not isinstance(given, int) or not 0 < bins <= MAX_BINS:
+            raise PriorError(f"{bins!r:.60} bins; accepted: whole numbers from 1 to {MAX_BINS}")
+        width = Angle.from_turns(mpq(1, bins))
+        counts = [0] * bins
+        for k, value in enumerate(degrees):
+            counts[as_orientation(value, where=f"measurement {k}") // width] += 1
+        return cls.from_histogram([mpq(360 * k, bins) for k in range(bins + 1)], counts)
+
     def density_at(self, theta: Angle) -> mpq:
         """Return the density at theta, per full turn."""
         return self.density(theta)
@@ -183,6 +218,14 @@ class PiecewisePrior(Prior):
 
     def __hash__(self) -> int:
         return hash((self.density.breaks, self.density.densities))
+
+
+def _as_pieces(pieces: object, what: str) -> list[tuple[Arc, Any]]:
+    pairs = as_pairs(pieces, what="piece", accepted=f"an Arc and its {what}")
+    for k, (arc, _) in enumerate(pairs):
+        if not isinstance(arc, Arc):
+            raise PriorError(f"{arc!r:.60} is no Arc; accepted: one", where=f"piece {k}")
+    return pairs
 
 
 def _refuse_overlaps(arcs: list[Arc]) -> None:

@@ -1,8 +1,10 @@
-"""Estimated weights of cells, and the prior they make."""
+"""Cells that mouths do not cut, estimated weights of cells, and the prior they make."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final, final
 
 import numpy as np
@@ -11,11 +13,12 @@ from numpy.typing import NDArray
 
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.piecewise_prior import PiecewisePrior
-from stochgeom.exact.angles import Angle
+from stochgeom.errors import PriorError
+from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 
 DECIMALS: Final = 9
-"""Numerical weights are rounded to so many decimals, with a sum of exactly 1."""
+"""Numerical weights, and ends of arcs in degrees, are rounded to so many decimals."""
 
 
 @final
@@ -52,16 +55,69 @@ class PriorEstimate:
     def to_prior(self) -> DiscretePrior | PiecewisePrior:
         """Return the estimate as a prior, to plan with again.
 
-        Raises
-        ------
-        PriorError
-            If a cell is an arc whose width is not rational in degrees.
+        A cell keeps its weight. Ends of arcs that are not rational in degrees, as those of mouths
+        are, move to the nearest `DECIMALS` decimals (more, if arcs are as narrow as that): between
+        others a rational mass makes no rational density.
         """
-        pairs = list(zip(self.cells, self.weights, strict=True))
-        arcs = [(cell, weight) for cell, weight in pairs if isinstance(cell, Arc)]
+        arcs = [cell for cell in self.cells if isinstance(cell, Arc)]
         if arcs:
-            return PiecewisePrior.from_masses(arcs)
+            return PiecewisePrior.from_masses(
+                zip(_at_rational_degrees(arcs), self.weights, strict=True)
+            )
+        pairs = zip(self.cells, self.weights, strict=True)
         return DiscretePrior([(cell, w) for cell, w in pairs if isinstance(cell, Angle)])
+
+
+def cells_between(mouths: Iterable[Arc], bins: int = 1) -> tuple[Arc, ...]:
+    """Return the arcs into which the ends of mouths, and equal bins, cut the circle.
+
+    Each of them lies inside or outside every mouth, as `stochgeom.decision.rejections` asks.
+
+    Parameters
+    ----------
+    mouths : iterable of Arc
+        Of the plans whose successes were counted, with their first angles.
+    bins : int, default 1
+        How many equal arcs from 0 on are cut as well, 1 or more.
+
+    Raises
+    ------
+    PriorError
+        If the number of bins is not acceptable.
+
+    Examples
+    --------
+    >>> cells = cells_between([Arc(Angle.from_degrees(10), Angle.from_degrees(40))])
+    >>> [(cell.start.degrees(0), cell.width.degrees(0)) for cell in cells]
+    [('0', '10'), ('10', '40'), ('50', '310')]
+    """
+    given: object = bins
+    if not isinstance(given, int) or bins < 1:
+        raise PriorError(f"{bins!r:.60} bins; accepted: whole numbers from 1 on")
+    ends = {Angle.from_turns(mpq(k, bins)) for k in range(bins)}
+    for mouth in mouths:
+        if mouth.width != FULL_TURN:
+            ends |= {mouth.start.reduced(), mouth.end.reduced()}
+    places = sorted(ends)
+    return tuple(Arc(a, b - a) for a, b in pairwise((*places, places[0] + FULL_TURN)))
+
+
+def _at_rational_degrees(arcs: Sequence[Arc]) -> list[Arc]:
+    """Return arcs with their ends moved to rational degrees, and none of them vanished."""
+    digits = DECIMALS
+    while True:
+        ends = [(_degrees(arc.start, digits), _degrees(arc.end, digits)) for arc in arcs]
+        if all(low < high for low, high in ends):
+            return [
+                Arc(Angle.from_turns(low / 360), Angle.from_turns((high - low) / 360))
+                for low, high in ends
+            ]
+        digits *= 2
+
+
+def _degrees(angle: Angle, digits: int) -> mpq:
+    exact = angle.rational_turns
+    return mpq(angle.degrees(digits)) if exact is None else exact * 360
 
 
 def round_to_sum_one(weights: NDArray[np.float64]) -> tuple[mpq, ...]:

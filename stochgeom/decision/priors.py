@@ -17,9 +17,9 @@ turns here: densities are per turn, and the uniform one is 1.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import final
+from typing import Any, final
 
 from gmpy2 import mpq, mpz
 
@@ -89,7 +89,7 @@ class Prior(ABC):
         Returns
         -------
         Window
-            Among equals the one of the smallest start, of those that were compared.
+            Among equals the one of the smallest start, of those that were compared; 0 always is.
 
         Raises
         ------
@@ -163,6 +163,38 @@ def check_width(width: Angle) -> Angle:
     if not ZERO < width <= FULL_TURN:
         raise InvalidArcError(f"window width {width}; accepted: more than 0, at most 360°")
     return width
+
+
+def as_pairs(items: object, *, what: str, accepted: str) -> list[tuple[Any, Any]]:
+    """Return the pairs of a mapping, or of an iterable of pairs.
+
+    Parameters
+    ----------
+    what : str
+        What a pair is called, such as ``"point"``.
+    accepted : str
+        What the two are, for messages.
+
+    Raises
+    ------
+    PriorError
+        If it is no such thing, or an entry is no pair.
+
+    Examples
+    --------
+    >>> as_pairs({"10": 1}, what="point", accepted="an orientation and a weight")
+    [('10', 1)]
+    """
+    entries = items.items() if isinstance(items, Mapping) else items
+    if isinstance(entries, str) or not isinstance(entries, Iterable):
+        raise PriorError(f"{items!r:.60}; accepted: pairs, each {accepted}", where=f"{what}s")
+    pairs: list[tuple[Any, Any]] = []
+    for k, entry in enumerate(entries):
+        pair = () if isinstance(entry, str) or not isinstance(entry, Iterable) else tuple(entry)
+        if len(pair) != 2:
+            raise PriorError(f"{entry!r:.60}; accepted: {accepted}", where=f"{what} {k}")
+        pairs.append(pair)
+    return pairs
 
 
 def as_share(value: RationalLike, *, where: str, what: str = "weight") -> mpq:

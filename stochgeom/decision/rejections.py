@@ -91,7 +91,8 @@ class Rejections:
     Parameters
     ----------
     cells : sequence of Angle, or sequence of Arc
-        Where parts may arrive: single orientations, or arcs that lie inside or outside each mouth.
+        Where parts may arrive: single orientations, or arcs that lie inside or outside each mouth,
+        such as `stochgeom.decision.prior_estimates.cells_between` gives.
     observations : sequence of Observation
         What was counted.
 

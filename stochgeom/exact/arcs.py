@@ -37,6 +37,11 @@ class Arc:
     width: Angle
 
     def __post_init__(self) -> None:
+        ends: tuple[object, ...] = (self.start, self.width)
+        if not all(isinstance(end, Angle) for end in ends):
+            raise InvalidArcError(
+                f"an arc from {self.start!r:.60}, {self.width!r:.60} wide; accepted: two Angles"
+            )
         if not ZERO < self.width <= FULL_TURN:
             raise InvalidArcError(f"arc width {self.width}; accepted: more than 0, at most 360°")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import total_ordering
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, final
 
 from gmpy2 import mpq
 
@@ -102,8 +102,13 @@ class TurnRatio(Displayed):
         turns = self.angle.to_sympy() / (2 * sympy.pi)
         return c / turns if self.inverse else c * turns
 
-    def compare(self, other: TurnRatio | RationalLike) -> int:
+    def compare(self, other: Any) -> int:
         """Return -1, 0 or 1, exactly.
+
+        Parameters
+        ----------
+        other : TurnRatio, rational number, or number of another kind
+            Sums, enclosures and costs compare themselves with ratios.
 
         Raises
         ------
@@ -111,6 +116,8 @@ class TurnRatio(Displayed):
             For c a against d / b with both angles irrational: no linear form decides that.
         """
         if not isinstance(other, TurnRatio):
+            if hasattr(other, "decimal"):
+                return -int(other.compare(self))
             return self._compare_rational(rational(other))
         mine, theirs = self.rational, other.rational
         if theirs is not None:
@@ -140,7 +147,7 @@ class TurnRatio(Displayed):
         except InputError:
             return NotImplemented
 
-    def __lt__(self, other: TurnRatio | RationalLike) -> bool:
+    def __lt__(self, other: Any) -> bool:
         if isinstance(other, str):
             return NotImplemented
         return self.compare(other) < 0

@@ -186,6 +186,7 @@ def audit(
     count: int = 100,
     seed: int = 0,
     *,
+    action: str = "squeeze",
     cost_ratio: RationalLike = 1,
     exhaustive: Exhaustive | None = None,
 ) -> Iterator[AuditRow]:
@@ -195,6 +196,8 @@ def audit(
     ----------
     families, count, seed
         Which parts, see `audit_cases`.
+    action : str, default "squeeze"
+        What the plans are made of.
     cost_ratio : rational >= 0, default 1
         c, for the optimal plans.
     exhaustive : callable, optional
@@ -212,26 +215,32 @@ def audit(
     (3, 1, True, None)
     """
     for case in audit_cases(families, count, seed):
-        yield audit_case(case, cost_ratio=cost_ratio, exhaustive=exhaustive)
+        yield audit_case(case, action=action, cost_ratio=cost_ratio, exhaustive=exhaustive)
 
 
 def audit_case(
-    case: Case, *, cost_ratio: RationalLike = 1, exhaustive: Exhaustive | None = None
+    case: Case,
+    *,
+    action: str = "squeeze",
+    cost_ratio: RationalLike = 1,
+    exhaustive: Exhaustive | None = None,
 ) -> AuditRow:
     """Return the row of one case, whatever goes wrong with its part."""
-    return audit_part(case.part(), case, cost_ratio=cost_ratio, exhaustive=exhaustive)
+    part = case.part()
+    return audit_part(part, case, action=action, cost_ratio=cost_ratio, exhaustive=exhaustive)
 
 
 def audit_part(
     part: Part,
     case: Case,
     *,
+    action: str = "squeeze",
     cost_ratio: RationalLike = 1,
     exhaustive: Exhaustive | None = None,
 ) -> AuditRow:
     """Return the row of a part, which may come from elsewhere than the case says."""
     try:
-        problem = FeedingProblem(part)
+        problem = FeedingProblem(part, action)
         optimal, shortest = problem.optimal_plan(cost_ratio), problem.geometric_plan(cost_ratio)
         plans = [optimal] if optimal.steps == shortest.steps else [optimal, shortest]
         wrong = [found for plan in plans if (found := _wrong_with(plan, optimal, shortest))]

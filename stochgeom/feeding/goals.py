@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 from stochgeom.errors import GoalError, NumberError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
-from stochgeom.feeding.stability import stable_grasps
-from stochgeom.transfer.squeeze import squeeze_function
+from stochgeom.feeding.stability import stabilities
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
@@ -54,6 +53,8 @@ def final_steps(goal: Goal, transfer: StepFunction, part: Part | None) -> tuple[
     ((0,), (0,))
     """
     if isinstance(goal, tuple):
+        if not goal:
+            raise GoalError("no goals; accepted: one or more, or None for any", where="goal")
         return tuple(sorted({k for one in goal for k in final_steps(one, transfer, part)}))
     if goal == MOST_STABLE:
         return _most_stable(transfer, part)
@@ -93,9 +94,6 @@ def _most_stable(transfer: StepFunction, part: Part | None) -> tuple[int, ...]:
             "an angle",
             where="goal",
         )
-    # Every final orientation is a stable grasp, modulo the period of the squeeze function.
-    period = squeeze_function(part).period
-    stability = {grasp.orientation: grasp.stability for grasp in stable_grasps(part)}
-    found = [stability[value % period] for value in transfer.values]
+    found = stabilities(part, transfer.values)
     best = max(found)
     return tuple(k for k, value in enumerate(found) if value == best)

@@ -232,10 +232,14 @@ class FeedingPlan(Displayed):
         >>> [state.degrees(1) for state in plan.execute(Angle.from_degrees(100))]
         ['100.0', '90.0', '180.0']
         """
+        if not isinstance(theta, Angle):
+            raise InputError(f"{theta!r:.60} is no Angle; accepted: one", where="orientation")
         return run_angle(self.transfer, self.angles, theta)
 
     def execute_arc(self, arc: Arc | None = None) -> tuple[ClosedArc, ...]:
         """Return the closed arc that an arc (default: the mouth) has become after each action."""
+        if not (arc is None or isinstance(arc, Arc)):
+            raise InputError(f"{arc!r:.60} is no Arc; accepted: one", where="arc")
         return run_arc(self.transfer, self.angles, self.mouth if arc is None else arc)
 
     def distribution(self, step: int | None = None) -> Hyperstate:

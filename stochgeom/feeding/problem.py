@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
 from stochgeom.display import Displayed
-from stochgeom.errors import InputError, NoPlanError
+from stochgeom.errors import InputError, NoPlanError, PriorError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import RationalLike
@@ -130,7 +130,7 @@ class FeedingProblem(Displayed):
     def _set(
         self, prior: Prior | None, gripper_error: GripperError | None, goal: Goal | None
     ) -> None:
-        self.prior = None if prior is None or prior.kind == "uniform" else prior
+        self.prior = None if prior is None else _informative(prior)
         self.gripper_error = None if gripper_error is None else as_gripper_error(gripper_error)
         self.goal = goal
 
@@ -242,8 +242,8 @@ class FeedingProblem(Displayed):
         if best is None:
             widest = self.preimages.found()[-1].width
             raise NoPlanError(
-                f"no plan works with a gripper error of {self._delta}; "
-                f"accepted: less than half of {widest}"
+                f"no plan is sure to catch anything with a gripper error of {self._delta}; "
+                f"accepted: less than {ErrorBound(widest)}"
             )
         return self.plan_of(best[1], c)
 
@@ -279,12 +279,37 @@ class FeedingProblem(Displayed):
         """Return the bound of the errors with which a plan up to symmetry exists; None for any."""
         return largest_gripper_error(self.transfer, self.final_steps)
 
-    def most_tolerant_plan(self, steps: int, cost_ratio: RationalLike = 1) -> FeedingPlan:
+    def most_tolerant(self, steps: int, cost_ratio: RationalLike = 1) -> FeedingPlan:
         """Return the plan of `steps` steps that bears most gripper error, its mouth the widest.
+
+        As wide as without any error, that is; `FeedingPlan.error_bound` tells how much it bears.
 
         Raises
         ------
         InputError
             If so many steps do no better than fewer.
+        NoPlanError
+            If even this plan does not bear the gripper error of the problem.
         """
-        return self._plan(most_tolerant_chain(self.transfer, steps, self.final_steps), cost_ratio)
+        chain = most_tolerant_chain(self.transfer, steps, self.final_steps)
+        plan = self._plan(chain, cost_ratio)
+        bound = plan.error_bound
+        if bound is not None and not bound.allows(self._delta):
+            raise NoPlanError(
+                f"no plan of {steps} steps has its widest mouth with a gripper error of "
+                f"{self._delta}; accepted: less than {bound}"
+            )
+        return plan
+
+
+def _informative(prior: Prior) -> Prior | None:
+    """Return a prior as it is, None for the uniform one."""
+    from stochgeom.decision.priors import Prior  # loaded for those who use one
+
+    if not isinstance(prior, Prior):
+        raise PriorError(
+            f"{prior!r:.60} is no prior; accepted: one, such as WrappedNormal('30', '12'), or "
+            "CallablePrior of a function",
+            where="prior",
+        )
+    return None if prior.kind == "uniform" else prior

@@ -6,7 +6,7 @@ one: the distance to the nearer of the two maxima of the diameter that enclose i
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, final
 
@@ -54,6 +54,23 @@ def stable_grasps(part: Part | Iterable[PointLike] | NDArray[Any]) -> tuple[Stab
         stability = min(value - breaks[k], breaks[k + 1] - value)
         grasps.append(StableGrasp(value % squeeze.period, stability))
     return tuple(sorted(grasps, key=lambda grasp: grasp.orientation))
+
+
+def stabilities(part: Part, orientations: Sequence[Angle]) -> tuple[Angle, ...]:
+    """Return Psi of stable orientations, each modulo the period of the squeeze function.
+
+    Final orientations of push-grasps are such, too.
+
+    Examples
+    --------
+    >>> from stochgeom.geometry.part import as_part
+    >>> rectangle = as_part([(0, 0), (3, 0), (3, 2), (0, 2)])
+    >>> [psi.degrees(1) for psi in stabilities(rectangle, [Angle.from_degrees(270)])]
+    ['33.7']
+    """
+    period = squeeze_function(part).period
+    known = {grasp.orientation: grasp.stability for grasp in stable_grasps(part)}
+    return tuple(known[angle % period] for angle in orientations)
 
 
 def most_stable_grasps(part: Part | Iterable[PointLike] | NDArray[Any]) -> tuple[StableGrasp, ...]:

@@ -118,7 +118,11 @@ def angle_json(angle: Angle, digits: int = 4) -> Json:
 
 
 def plan_json(plan: FeedingPlan, digits: int = 4) -> Json:
-    """Return a plan with its actions, mouth and worth."""
+    """Return a plan with its actions, mouth, worth, and what it bears of gripper error.
+
+    ``margin`` is that of the nominal angles, ``error_bound`` that of the middles of the ranges.
+    """
+    bound = plan.error_bound
     return {
         "steps": plan.steps,
         "actions": [
@@ -136,6 +140,7 @@ def plan_json(plan: FeedingPlan, digits: int = 4) -> Json:
         "probability_up_to_symmetry": plan.probability_up_to_symmetry.decimal(digits),
         "orients_up_to_symmetry": plan.orients_up_to_symmetry,
         "margin": None if plan.margin is None else angle_json(plan.margin, digits),
+        "error_bound": None if bound is None else _bound_json(bound, digits),
     }
 
 

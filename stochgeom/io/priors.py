@@ -13,6 +13,7 @@ or a JSON object with a ``kind``, numbers in it as such or as text, angles in de
 - ``{"kind": "uniform"}``;
 - ``{"kind": "discrete", "points": [[ANGLE, WEIGHT], ...]}``, weights of sum 1;
 - ``{"kind": "measurements", "degrees": [ANGLE, ...]}``;
+- ``{"kind": "binned measurements", "degrees": [ANGLE, ...], "bins": COUNT}``, in bins from 0 on;
 - ``{"kind": "histogram", "edges": [ANGLE, ...], "counts": [COUNT, ...]}``;
 - ``{"kind": "piecewise", "pieces": [[START, WIDTH, DENSITY], ...]}``, densities per full turn;
 - ``{"kind": "normal", "mean": ANGLE, "sd": DEGREES}``;
@@ -30,9 +31,9 @@ from gmpy2 import mpq
 from stochgeom.decision.density_priors import VonMises, WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.mixture_prior import MixturePrior
-from stochgeom.decision.piecewise_prior import PiecewisePrior
-from stochgeom.decision.priors import Prior, uniform_prior
-from stochgeom.errors import FormatError, ReadError, StochgeomError
+from stochgeom.decision.piecewise_prior import MAX_BINS, PiecewisePrior
+from stochgeom.decision.priors import Prior, as_share, uniform_prior
+from stochgeom.errors import FormatError, InvalidArcError, PriorError, ReadError, StochgeomError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import parse_rational
@@ -109,8 +110,9 @@ def parse_prior(text: str) -> Prior:
                 "seen",
                 where=place,
             )
-        values = [parse_rational(field, where=place) for field in fields]
-        counts.append((values[0], values[1] if len(values) > 1 else mpq(1)))
+        angle = parse_rational(fields[0], where=place)
+        times = as_share(fields[1], where=place, what="count") if len(fields) > 1 else mpq(1)
+        counts.append((angle, times))
     if not counts:
         raise FormatError(f"no orientations; {ACCEPTED}")
     return DiscretePrior.from_counts(counts)
@@ -138,7 +140,14 @@ def _from_json(document: Any, place: str, depth: int) -> Prior:
             f"the keys of {kind} are {shown(found)}; accepted: {', '.join(keys) or 'none'}",
             where=f"{place}kind",
         )
-    return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+    try:
+        return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+    except StochgeomError as error:
+        where = error.where or ""
+        if where.startswith(place):
+            raise
+        # A component's own complaint, which does not know where the component stands.
+        raise type(error)(error.message, where=f"{place}{where}".removesuffix(", ")) from None
 
 
 class _Field:
@@ -182,6 +191,17 @@ def _measurements(degrees: _Field) -> Prior:
     return DiscretePrior.from_measurements([angle.number() for angle in degrees.items()])
 
 
+def _binned(degrees: _Field, bins: _Field) -> Prior:
+    count = bins.number()
+    listed = [angle.number() for angle in degrees.items()]
+    whole = int(count) if count.denominator == 1 else 0
+    try:
+        return PiecewisePrior.from_measurements(listed, whole)
+    except PriorError as error:
+        place = bins if not 0 < whole <= MAX_BINS else degrees
+        raise PriorError(error.message, where=place.place) from None
+
+
 def _histogram(edges: _Field, counts: _Field) -> Prior:
     return PiecewisePrior.from_histogram(
         [edge.number() for edge in edges.items()], [count.number() for count in counts.items()]
@@ -190,13 +210,17 @@ def _histogram(edges: _Field, counts: _Field) -> Prior:
 
 def _piecewise(pieces: _Field) -> Prior:
     rows = pieces.rows("START, WIDTH, DENSITY")
-    arcs = [
-        Arc(Angle.from_degrees(start.number()), Angle.from_degrees(width.number()))
-        for start, width, _ in rows
-    ]
+    arcs = [_arc(start, width) for start, width, _ in rows]
     return PiecewisePrior(
         [(arc, density.number()) for arc, (_, _, density) in zip(arcs, rows, strict=True)]
     )
+
+
+def _arc(start: _Field, width: _Field) -> Arc:
+    try:
+        return Arc(Angle.from_degrees(start.number()), Angle.from_degrees(width.number()))
+    except InvalidArcError as error:
+        raise InvalidArcError(error.message, where=width.place) from None
 
 
 def _mixture(components: _Field) -> Prior:
@@ -213,6 +237,7 @@ _MAKERS: Final[dict[str, tuple[tuple[str, ...], Callable[..., Prior]]]] = {
     "uniform": ((), uniform_prior),
     "discrete": (("points",), _discrete),
     "measurements": (("degrees",), _measurements),
+    "binned measurements": (("degrees", "bins"), _binned),
     "histogram": (("edges", "counts"), _histogram),
     "piecewise": (("pieces",), _piecewise),
     "normal": (("mean", "sd"), lambda mean, sd: WrappedNormal(mean.number(), sd.number())),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.decimals import Rounding
+from stochgeom.feeding.actions import printed_margin
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.animation_motion import Trace
 from stochgeom.plotting.report_subject import Subject
@@ -53,9 +53,9 @@ def facts(subject: Subject) -> list[tuple[str, str]]:
 
 
 def _borne(subject: Subject) -> tuple[str, str]:
-    margin = subject.plan.margin
-    if margin is not None:
-        return f"{margin.degrees(4, Rounding.DOWN)}°", "gripper errors below this are borne"
+    least = printed_margin(subject.plan.actions, subject.digits)
+    if least is not None:
+        return f"{least}°", "gripper errors below this are borne"
     if subject.plan.prior is None:
         return "any", "gripper error is borne: the only turn is random"
     return "none", "of the gripper's errors breaks the plan, but each moves the mouth"

@@ -52,11 +52,16 @@ def push_function(
     (['53.13', '146.31', '290.56'], ['90.00', '216.87', '360.00'])
     """
     radius = part if isinstance(part, RadiusFunction) else RadiusFunction(as_part(part))
+    lower = StepFunction(*push_steps(radius))
+    return lower.rotate(-HALF_TURN) if upper_jaw else lower
+
+
+def push_steps(radius: RadiusFunction) -> tuple[AngleVector, AngleVector]:
+    """Return the breaks of a push by the lower jaw in a full turn, and their values."""
     breaks, minima = radius.maxima, radius.minima
     # Maxima and minima alternate; the value of a break is the minimum that follows it.
     if minima[0] < breaks[0]:
         x, y, turns = minima.x, minima.y, np.zeros(len(minima), dtype=np.int64)
         turns[-1] = 1
         minima = AngleVector(turns, np.append(x[1:], x[0]), np.append(y[1:], y[0]))
-    lower = StepFunction(breaks, minima)
-    return lower.rotate(-HALF_TURN) if upper_jaw else lower
+    return breaks, minima

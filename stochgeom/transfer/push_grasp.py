@@ -11,10 +11,15 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from stochgeom.exact.angles import FULL_TURN, HALF_TURN
+from stochgeom.exact.lifted import LiftedAngles
+from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.geometry.points import PointLike
-from stochgeom.transfer.push import push_function
-from stochgeom.transfer.squeeze import squeeze_function
+from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.transfer.composition import composed_steps
+from stochgeom.transfer.push import push_steps
+from stochgeom.transfer.squeeze import squeeze_steps
 from stochgeom.transfer.step_function import StepFunction
 
 
@@ -48,4 +53,12 @@ def push_grasp_function(
     (['146.31', '290.56'], ['216.87', '396.87'])
     """
     part = as_part(part)
-    return squeeze_function(part).compose(push_function(part, upper_jaw=upper_jaw))
+    squeeze = [LiftedAngles(a, HALF_TURN) for a in squeeze_steps(DiameterFunction(part))]
+    push = [LiftedAngles(a, FULL_TURN) for a in push_steps(RadiusFunction(part))]
+    # Neither map is brought into canonical form by itself: that takes as long as the rest.
+    breaks, values = composed_steps(
+        (squeeze[0], squeeze[1]), (push[0], push[1]), copies=1, rise=2 * len(squeeze[0])
+    )
+    lower = StepFunction(breaks, values)
+    # Half a turn on, the squeeze is the same, and the push that of the upper jaw.
+    return lower.rotate(-HALF_TURN) if upper_jaw else lower

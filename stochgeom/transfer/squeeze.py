@@ -43,6 +43,11 @@ def squeeze_function(
     (['56.31', '123.69'], ['90', '180'])
     """
     diameter = part if isinstance(part, DiameterFunction) else DiameterFunction(as_part(part))
+    return StepFunction(*squeeze_steps(diameter), HALF_TURN)
+
+
+def squeeze_steps(diameter: DiameterFunction) -> tuple[AngleVector, AngleVector]:
+    """Return the breaks of a squeeze in half a turn, and their values, as the part has them."""
     breaks, minima = diameter.maxima, diameter.minima
     # Maxima and minima alternate; the value of a break is the minimum that follows it. Half a
     # turn on, a direction is reversed.
@@ -50,4 +55,4 @@ def squeeze_function(
         x, y = minima.x, minima.y
         x, y = np.append(x[1:], -x[0]), np.append(y[1:], -y[0])
         minima = AngleVector.from_directions(x, y)
-    return StepFunction(breaks, minima, HALF_TURN)
+    return breaks, minima

@@ -16,7 +16,7 @@ from typing import final
 from gmpy2 import mpq
 
 from stochgeom.display import Displayed
-from stochgeom.errors import InputError
+from stochgeom.errors import InputError, InvalidStepFunctionError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.lifted import LiftedAngles
@@ -53,7 +53,8 @@ class StepFunction(Displayed):
     Raises
     ------
     InvalidStepFunctionError
-        If a sequence decreases, lengths differ, or the period is no whole share of a turn.
+        If a sequence decreases, lengths differ, an entry is no `Angle`, or the period is no whole
+        share of a turn.
 
     Examples
     --------
@@ -69,11 +70,11 @@ class StepFunction(Displayed):
         values: Iterable[Angle] | AngleVector,
         period: Angle = FULL_TURN,
     ) -> None:
+        if not isinstance(period, Angle):
+            raise _no_angle(period, "period")
         full_turn_share(period)
         self.breaks, self.values, self.period = canonical_steps(
-            breaks if isinstance(breaks, AngleVector) else AngleVector.from_angles(breaks),
-            values if isinstance(values, AngleVector) else AngleVector.from_angles(values),
-            period,
+            _as_vector(breaks, "break"), _as_vector(values, "value"), period
         )
         self.lifted_breaks = LiftedAngles(self.breaks, self.period)
         self.lifted_values = LiftedAngles(self.values, self.period)
@@ -237,3 +238,20 @@ class StepFunction(Displayed):
         if len(self) > 100:
             return f"<StepFunction of {len(self)} steps in a period of {self.period}>"
         return f"StepFunction({list(self.breaks)!r}, {list(self.values)!r}, {self.period!r})"
+
+
+def _as_vector(angles: Iterable[Angle] | AngleVector, what: str) -> AngleVector:
+    if isinstance(angles, AngleVector):
+        return angles
+    listed = list(angles)
+    for k, angle in enumerate(listed):
+        if not isinstance(angle, Angle):
+            raise _no_angle(angle, f"{what} {k}")
+    return AngleVector.from_angles(listed)
+
+
+def _no_angle(value: object, where: str) -> InvalidStepFunctionError:
+    return InvalidStepFunctionError(
+        f"{value!r:.60} is no Angle; accepted: exact angles, such as Angle.from_degrees('71')",
+        where=where,
+    )

@@ -20,6 +20,7 @@ from stochgeom.errors import (
 )
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding
 
 HALF, OTHER = Arc(ZERO, HALF_TURN), Arc(HALF_TURN, HALF_TURN)
 IRRATIONAL = Arc(ZERO, Angle(0, (3, 2)))
@@ -34,10 +35,15 @@ PRIOR_ERRORS = [
     (lambda: DiscretePrior.from_counts({"0": 0, "1": 0}), "2 counts with sum 0"),
     (lambda: DiscretePrior.from_counts({"0": -1}), "count 0: count -1 is negative"),
     (lambda: DiscretePrior.from_measurements([]), "0 counts with sum 0"),
+    (lambda: DiscretePrior(5), "points: 5; accepted: pairs, each an orientation and its weight"),
+    (lambda: DiscretePrior("90"), "points: '90'; accepted: pairs"),
+    (lambda: DiscretePrior(["90"]), "point 0: '90'; accepted: an orientation and its weight"),
+    (lambda: DiscretePrior([("0", 1), ("90",)]), "point 1: ('90',); accepted: an orientation"),
+    (lambda: DiscretePrior.from_counts([5]), "point 0: 5; accepted: an orientation"),
     # piecewise
     (lambda: PiecewisePrior([]), "no pieces"),
-    (lambda: PiecewisePrior([(HALF, 1)]), "integrates to 1/2; accepted"),
-    (lambda: PiecewisePrior([(IRRATIONAL, 1)]), "integrates to 0.093584;"),
+    (lambda: PiecewisePrior([(HALF, 1)]), "integrate to 1/2 over their arcs; accepted"),
+    (lambda: PiecewisePrior([(IRRATIONAL, 1)]), "integrate to 0.093584 over"),
     (lambda: PiecewisePrior([(HALF, 3), (OTHER, -1)]), "piece 1: density -1 is negative"),
     (lambda: PiecewisePrior([(HALF, 1), (Arc(ZERO, FULL_TURN), "1/2")]), "piece 1: pieces 0 and 1"),
     (lambda: PiecewisePrior.from_masses([]), "no pieces"),
@@ -54,7 +60,13 @@ PRIOR_ERRORS = [
     (lambda: PiecewisePrior.from_histogram([], []), "0 edges and 0 counts"),
     (lambda: PiecewisePrior.from_histogram(["0", "40"], [0]), "1 counts with sum 0"),
     (lambda: PiecewisePrior.from_histogram(["0"], []), "0 counts with sum 0"),
+    (lambda: PiecewisePrior(HALF), "pieces: Arc("),
+    (lambda: PiecewisePrior([HALF]), "accepted: an Arc and its density"),
+    (lambda: PiecewisePrior([("0", 1)]), "piece 0: '0' is no Arc; accepted: one"),
+    (lambda: PiecewisePrior.from_masses([(90, 1)]), "piece 0: 90 is no Arc; accepted: one"),
     # mixtures
+    (lambda: MixturePrior([uniform_prior()]), "component 0: uniform_prior(); accepted: a weight"),
+    (lambda: MixturePrior(uniform_prior()), "components: uniform_prior(); accepted: pairs"),
     (lambda: MixturePrior([]), "no components"),
     (lambda: MixturePrior([("1/2", uniform_prior())]), "1 weights sum to 1/2"),
     (lambda: MixturePrior([(2, uniform_prior()), (-1, uniform_prior())]), "component 1: weight -1"),
@@ -117,6 +129,13 @@ def test_what_is_no_number(make):
 def test_a_component_that_is_no_prior():
     with pytest.raises(InputError, match="component 1: 'uniform'; accepted: priors"):
         MixturePrior([("1/2", uniform_prior()), ("1/2", "uniform")])
+
+
+@pytest.mark.parametrize("prior", ["normal:30,12", {"0": 1}, WrappedNormal, lambda _: 1])
+@pytest.mark.parametrize("plan", [plan_feeding, orient_up_to_symmetry])
+def test_planning_with_what_is_no_prior(plan, prior):
+    with pytest.raises(PriorError, match="is no prior; accepted: one, such as WrappedNormal"):
+        plan([(0, 0), (3, 0), (3, 2), (0, 2)], prior=prior)
 
 
 @pytest.mark.parametrize(

@@ -38,6 +38,12 @@ def test_widths_are_positive_and_at_most_one_turn(width):
         Arc(ZERO, width)
 
 
+@pytest.mark.parametrize(("start", "width"), [(0, deg(9)), ("0", deg(9)), (ZERO, 9), (ZERO, 0.5)])
+def test_ends_are_angles(start, width):
+    with pytest.raises(InvalidArcError, match="wide; accepted: two Angles"):
+        Arc(start, width)
+
+
 def test_an_arc_is_a_value():
     a = arc(350, 20)
     assert a == arc(350, 20)

@@ -105,6 +105,7 @@ class TestWithScipy:
             (lambda theta: nan if 1 < theta < 1.1 else 1 / (2 * pi), "density is nan"),
             (lambda _: "high", "density fails"),
             (lambda _: None, "density fails"),
+            (lambda _: 1 / 0, "density fails: division by zero"),
             (0.159, "is no function"),
         ],
     )

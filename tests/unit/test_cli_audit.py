@@ -28,6 +28,18 @@ def test_the_seed_makes_the_parts(capsys):
     )
 
 
+def test_push_grasps(capsys):
+    """A pushed part is told from itself half a turn on, so plans collapse twice as much."""
+    arguments = ["--families", "slivers,random hulls", "--count", "4"]
+    result = call(capsys, "audit", *arguments, "--action", "push-grasp", "--json")
+    assert (result.code, result.err) == (0, "")
+    pushed = result.document["families"]
+    squeezed = call(capsys, "audit", *arguments, "--json").document["families"]
+    assert [row["parts"] for row in pushed] == [4, 4]
+    assert all(row["disagreements"] == 0 for row in pushed)
+    assert [row["longest"] for row in pushed] != [row["longest"] for row in squeezed]
+
+
 def test_families_are_described(capsys):
     out = call(capsys, "audit", "--list").out
     assert all(f"  {family.name} " in out for family in FAMILIES.values())

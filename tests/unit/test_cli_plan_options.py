@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 
 import pytest
@@ -25,7 +26,8 @@ Angles are degrees counter-clockwise, each relative to the gripper's last pose; 
 are rounded inwards, so all of them works as printed.
 
 Every action may be off by 2.0000 degrees either way.
-The 3-step plan bears every gripper error below 17.1027 degrees.
+The 3-step plan bears every gripper error below 17.1027 degrees, and 17.7688 at the middles of its \
+ranges.
 Plans that orient it uniquely exist for every error below 17.7688 degrees.
 
 Best plan of each length (a filter pass costs 1 push-grasp time)
@@ -104,6 +106,21 @@ class TestPrior:
         assert plan["actions"][0]["low"] is None
         assert angle(plan["actions"][0]["angle"]) != Angle()
 
+    def test_where_the_mouth_stands(self, capsys):
+        square = ["--vertices", "0,0 1,0 1,1 0,1", "--prior", "normal:20,10"]
+        text = report(capsys, *square)
+        assert "  catches what arrives from 335.0000 to 425.0000 degrees\n" in text
+        text = report(capsys, *square, "--gripper-error", "20")
+        assert "  catches for sure what arrives from 355.0000 to 405.0000 degrees\n" in text
+        text = report(capsys, *HOUSE, "--action", "push-grasp", "--prior", "normal:20,90")
+        assert "  catches every orientation\n" in text
+
+    def test_an_error_of_the_first_turn(self, capsys):
+        options = ["rectangle", "--prior", "normal:20,60", "--cost-ratio", "9"]
+        moves = "below 11.3099 degrees; one of the first turn moves the mouth."
+        assert moves in report(capsys, *options)
+        assert moves not in report(capsys, *options, "--gripper-error", "1")
+
     def test_uniform_is_the_default(self, capsys):
         assert report(capsys, "house", "--prior", "uniform") == report(capsys, "house")
 
@@ -114,7 +131,8 @@ class TestPrior:
 class TestGoal:
     def test_by_angle(self, capsys):
         text = report(capsys, "rectangle", "--goal", "90")
-        assert "goal: 90, the final orientation at 90.0000 degrees" in text
+        assert "goal: 90, the final orientation at 90.0000 degrees; it bears a disturbance" in text
+        assert " below 33.6900 degrees\n" in text
         found = document(capsys, "rectangle", "--goal", "90.3")
         assert [goal["degrees"] for goal in found["goal"]] == ["90.0000"]
 
@@ -138,6 +156,36 @@ class TestGripperError:
         assert found["largest_gripper_error"]["degrees"] == "10.3616"
         assert Fraction(found["plan"]["margin"]["degrees"]) > 5
 
+    @pytest.mark.parametrize("error", ["0.05", "6.28", "8.659", "8.6594"])
+    @pytest.mark.parametrize("digits", ["0", "1", "4"])
+    def test_printed_angles_leave_room_for_the_error(self, capsys, error, digits):
+        vertices = "0,0 7,0 9,3 4,8 1,6"
+        text = report(capsys, "--vertices", vertices, "--gripper-error", error, "--digits", digits)
+        rows = re.findall(r" (\S+)  +\((\S+), (\S+)\]", text)
+        assert len(rows) >= 3
+        assert all(
+            Fraction(low) < Fraction(angle) - Fraction(error)
+            and Fraction(angle) + Fraction(error) <= Fraction(high)
+            for angle, low, high in rows
+        )
+        borne = r"The (\d)-step plan bears .* error below (\S+) degrees(?:, and (\S+))?"
+        for steps, least, middles in re.findall(borne, text):
+            distances = [
+                d
+                for angle, low, high in rows[: int(steps) - 1]
+                for d in (Fraction(angle) - Fraction(low), Fraction(high) - Fraction(angle))
+            ]
+            assert 0 <= min(distances) - Fraction(least) < Fraction(1, 10 ** int(digits))
+            assert not middles or Fraction(middles) > Fraction(least)
+
+    def test_more_digits_than_number_text_may_have(self, capsys):
+        assert "45." + 20_001 * "0" in report(capsys, "house", "--digits", "20001")
+
+    def test_a_given_error_is_not_rounded(self, capsys):
+        for given, shown in (("8.65948", "8.65948"), ("1/3", "0.3")):
+            text = report(capsys, "house", "--gripper-error", given, "--digits", "1")
+            assert f"Every action may be off by {shown} degrees either way." in text
+
     def test_no_plan_up_to_symmetry(self, capsys):
         text = report(capsys, "4gon", "--gripper-error", "11")
         assert "No plan orients the part up to symmetry with this error." in text
@@ -152,7 +200,7 @@ class TestGripperError:
 
     def test_nothing_is_caught_for_sure(self, capsys):
         options = ["--prior", "normal:0,5", "--gripper-error", "85"]
-        assert "no plan works" in refusal(capsys, "4gon", *options, code=1)
+        assert "no plan is sure to catch anything" in refusal(capsys, "4gon", *options, code=1)
 
     @pytest.mark.parametrize("error", ["-1", "180", "1e3", "nan", "x", "1e999999999"])
     def test_no_gripper_error(self, capsys, error):

@@ -9,6 +9,8 @@ import pytest
 
 from stochgeom.cli import progress
 from stochgeom.cli.progress import DELAY, INTERVAL, Progress
+from stochgeom.feeding.problem import FeedingProblem
+from tests.commands import call
 
 
 class Terminal(io.StringIO):
@@ -94,3 +96,15 @@ def test_nothing_is_shown_where_nobody_looks(clock, monkeypatch, stream):
         clock.now += DELAY
         line.show(0.5)
     assert stream is None or stream.getvalue() == ""
+
+
+def test_all_of_phase_one_is_under_the_line(capsys, monkeypatch):
+    events = []
+    usual = FeedingProblem.optimal_plan
+    monkeypatch.setattr(Progress, "show", lambda _, share: events.append(share))
+    monkeypatch.setattr(
+        FeedingProblem, "optimal_plan", lambda *given: events.append("plan") or usual(*given)
+    )
+    assert call(capsys, "plan", "4gon").code == 0
+    assert events[-2:] == [1.0, "plan"]
+    assert len(events) == 5

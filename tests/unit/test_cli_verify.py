@@ -13,6 +13,8 @@ from stochgeom.feeding import certificate_checker
 from stochgeom.thesis.parts import catalogue_names
 from tests.commands import call
 
+HOUSE = ["--part", "house", "--angles", "0"]
+
 
 @pytest.fixture
 def house(capsys, tmp_path):
@@ -190,12 +192,43 @@ class TestOtherPeoplesPlans:
         low, high = (document["margins"][1][end]["degrees"] for end in ("low", "high"))
         assert (low, high) == ("18.4349", "71.5651")
 
+    def test_push_grasps_about_a_given_centre(self, capsys):
+        arguments = ["--part", "house", "--center-of-mass", "0,2/5", "--action", "push-grasp"]
+        result = call(capsys, "verify", *arguments, "--angles", "0, 72, 135", "--cumulative")
+        assert (result.code, result.err) == (0, "")
+        assert result.out.startswith("3 actions on house: 1 final orientation\n")  # Fig. E.8
+        assert "to 270.0000\nprobability 1.0000, expected cost 4.0000\n" in result.out
+
+    def test_vertices_that_are_off(self, capsys):
+        arguments = ["--part", "rectangle", "--angles", "0, -45", "--vertex-error"]
+        result = call(capsys, "verify", *arguments, "1/10")
+        assert (result.code, result.err) == (0, "")
+        assert result.out.endswith(
+            "Proven for every part with vertices within 1/10 of the given ones, which end with the "
+            "same edges flush\n"
+            "     from        to  ends from        to\n"
+            "  56.3100  236.3099   176.1774  183.8226\n"
+        )
+        result = call(capsys, "verify", *arguments, "1/5")
+        assert result.code == 1
+        assert "\nNot proven for every part with vertices within 1/5 of the given" in result.out
+        found = call(capsys, "verify", *arguments, "0.1", "--json").document["part_errors"]
+        assert (found["vertex_error"], found["proven"], found["reason"]) == ("1/10", True, None)
+        assert found["arcs"][0]["final"]["width"]["degrees"] == "7.6451"
+
     @pytest.mark.parametrize(
         ("arguments", "words"),
         [
             (["--part", "house"], "accepted: FILE alone, or --part and --angles together"),
             (["--angles", "0"], "accepted: FILE alone, or --part and --angles together"),
             (["plan.json", "--angles", "0"], "accepted: FILE alone"),
+            (["plan.json", "--action", "push-grasp"], "--action is about angles"),
+            (["plan.json", "--cumulative"], "--cumulative is about angles"),
+            (["plan.json", "--vertex-error", "1"], "accepted: FILE alone"),
+            ([*HOUSE, "--vertex-error", "-1"], "vertex error: -1; accepted"),
+            ([*HOUSE, "--vertex-error", "x"], "vertex error: 'x' is not a number; accepted"),
+            ([*HOUSE, "--action", "push"], "invalid choice: 'push'"),
+            ([*HOUSE, "--action", "push-grasp", "--center-of-mass", "9,9"], "(9, 9) lies outside"),
             ([], "accepted: FILE alone"),
             (["--part", "house", "--angles", "0, east"], "action 1: 'east' is no angle; accepted"),
             (["--part", "house", "--angles", ""], "angles: no actions; accepted: at least one"),

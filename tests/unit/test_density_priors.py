@@ -63,6 +63,17 @@ class TestNormal:
         near, far = (prior.mass(Arc(deg(start), deg(5))) for start in (90, 91))
         assert near.compare(far) == 1
 
+    @pytest.mark.parametrize("sd", ["30", "60", "90", "91", "150"])
+    def test_what_a_sum_leaves_out_is_enclosed(self, monkeypatch, sd):
+        """With far too few terms a ball is wide, and holds the number all the same."""
+        prior, arc = WrappedNormal("10", sd), Arc(deg(100), SLOPE)
+        with working_precision(64):
+            mass, density = prior.mass(arc).ball(), prior.density_at(deg(100)).ball()
+            monkeypatch.setattr(WrappedNormal, "_copies", lambda _: 1)
+            monkeypatch.setattr(WrappedNormal, "_terms", lambda _: 1)
+            assert prior.mass(arc).ball().overlaps(mass)
+            assert prior.density_at(deg(100)).ball().overlaps(density)
+
     def test_describe(self):
         assert WrappedNormal("10", "5.25").describe() == (
             "normal, mean 10.0000°, standard deviation 5.2500°"

@@ -6,6 +6,7 @@ import pytest
 from gmpy2 import mpq
 
 from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.mixture_prior import MixturePrior
 from stochgeom.errors import InvalidArcError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
@@ -47,7 +48,16 @@ def test_a_window_may_pass_zero():
     prior = DiscretePrior({"350": "2/5", "5": "2/5", "180": "1/5"})
     window = prior.best_window(deg("15.5"))
     assert (window.start, window.mass.rational) == (deg(350), mpq(4, 5))
-    assert prior.best_window(deg(15)).start == deg(5)  # ties go to the smallest start
+
+
+def test_ties_go_to_the_smallest_start():
+    prior = DiscretePrior({"350": "2/5", "5": "2/5", "180": "1/5"})
+    assert prior.best_window(deg(15)).start == ZERO  # 350 alone, or 5 alone
+    assert prior.best_window(deg(5)).start == deg(5)  # from 0 it would miss 5
+    for alike in (prior, MixturePrior([(1, prior)])):
+        assert alike.best_window(FULL_TURN).start == ZERO
+        assert alike.best_window(deg(351)).start == ZERO
+        assert alike.best_window(deg(340)).start == deg(180)
 
 
 def test_equal_orientations_are_merged():

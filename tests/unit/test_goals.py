@@ -103,6 +103,10 @@ class TestNames:
         with pytest.raises(GoalError, match="accepted: an angle in degrees, or 'most stable'"):
             final_steps(goal, S, RECTANGLE)
 
+    def test_no_goals_at_all(self):
+        with pytest.raises(GoalError, match="no goals; accepted: one or more, or None for any"):
+            plan_feeding(RECTANGLE, goal=())
+
     def test_every_way_in(self):
         for call in (plan_feeding, orient_up_to_symmetry):
             with pytest.raises(GoalError):

@@ -198,7 +198,7 @@ class TestMostTolerant:
     problem = FeedingProblem(catalogue_part("key"))
 
     def test_a_narrower_stage_leaves_more_slack(self):
-        usual, tolerant = self.problem.plan_of(3), self.problem.most_tolerant_plan(3)
+        usual, tolerant = self.problem.plan_of(3), self.problem.most_tolerant(3)
         assert (usual.error_bound.degrees(2), tolerant.error_bound.degrees(2)) == ("0.84", "5.62")
         assert usual.mouth.width == tolerant.mouth.width == HALF_TURN
         assert tolerant.preimages[1].width < usual.preimages[1].width
@@ -213,13 +213,19 @@ class TestMostTolerant:
     @pytest.mark.parametrize("steps", [0, -1, 4, 100])
     def test_more_steps_than_help(self, steps):
         with pytest.raises(InputError, match=f"{steps} steps; accepted: 1 to 3"):
-            self.problem.most_tolerant_plan(steps)
+            self.problem.most_tolerant(steps)
+
+    def test_an_error_that_not_even_this_plan_bears(self):
+        problem = FeedingProblem(catalogue_part("key"), gripper_error=6)
+        with pytest.raises(NoPlanError, match=r"error of 6\.0000°; accepted: less than 5\.62"):
+            problem.most_tolerant(3)
+        assert FeedingProblem(problem.part, gripper_error=5).most_tolerant(3).verify()
 
     def test_a_literal_part(self):
         corners = [(2, -2), (4, -4), (-3, -3), (-2, 3), (-1, 3), (-1, 0), (0, 4)]
         problem = FeedingProblem(corners)
         assert problem.plan_of(3).error_bound.degrees(3) == "9.813"
-        assert problem.most_tolerant_plan(3).error_bound.degrees(3) == "12.433"
+        assert problem.most_tolerant(3).error_bound.degrees(3) == "12.433"
         assert problem.largest_gripper_error().degrees(3) == "19.452"
 
 
@@ -237,7 +243,7 @@ class TestPriors:
         assert plan.verify()
 
     def test_an_error_that_leaves_nothing(self):
-        with pytest.raises(NoPlanError, match=r"accepted: less than half of 112\.6199°"):
+        with pytest.raises(NoPlanError, match=r"accepted: less than 56\.3099°"):
             plan_feeding(RECTANGLE, prior=self.prior, gripper_error=60)
         problem = FeedingProblem(RECTANGLE, prior=self.prior, gripper_error=60)
         assert problem.placement(1) is None

@@ -6,7 +6,14 @@ import json
 
 import pytest
 
-from stochgeom.errors import FormatError, InputError, NumberError, PriorError, ReadError
+from stochgeom.errors import (
+    FormatError,
+    InputError,
+    InvalidArcError,
+    NumberError,
+    PriorError,
+    ReadError,
+)
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.io.priors import load_prior, parse_prior
@@ -73,7 +80,8 @@ class TestLines:
             ("# nothing\n", FormatError, None),
             ("1\n2 3 4\n", FormatError, "line 2"),
             ("1\nabc\n", NumberError, "line 2"),
-            ("1\n2 -3\n", PriorError, "count 1"),
+            ("# seen\n1\n2 -3\n", PriorError, "line 3"),
+            ("1 x\n", NumberError, "line 1"),
             ("1 0\n2 0\n", PriorError, None),
             ("1 1e999999999", NumberError, "line 1"),
         ],
@@ -91,6 +99,7 @@ class TestJson:
             ({"kind": "uniform"}, 1 / 4),
             ({"kind": "discrete", "points": [[0, "3/8"], ["90", 0.625]]}, 3 / 8),
             ({"kind": "measurements", "degrees": ["10.5", 20, 200, 300]}, 1 / 2),
+            ({"kind": "binned measurements", "degrees": [1, "44.5", 45, 200], "bins": 8}, 3 / 4),
             ({"kind": "histogram", "edges": [0, 180, 360], "counts": [3, 1]}, 3 / 8),
             ({"kind": "piecewise", "pieces": [[45, "90", 4]]}, 1 / 2),
             (
@@ -136,9 +145,25 @@ class TestJson:
             ({"kind": "discrete", "points": []}, PriorError, None, "no points"),
             ({"kind": "discrete", "points": [[0, "1/3"]]}, PriorError, None, "sum to 1/3"),
             ({"kind": "measurements", "degrees": []}, PriorError, None, ""),
+            ({"kind": "binned measurements", "degrees": [1], "bins": 0}, PriorError, "bins", "0 b"),
+            ({"kind": "binned measurements", "degrees": [1], "bins": 1.5}, PriorError, "bins", ""),
+            ({"kind": "binned measurements", "degrees": [], "bins": 8}, PriorError, "degrees", ""),
             ({"kind": "histogram", "edges": [9, 5], "counts": [1]}, PriorError, None, ""),
             ({"kind": "histogram", "edges": [1], "counts": [1]}, PriorError, None, ""),
             ({"kind": "piecewise", "pieces": [[0, 90, 1]]}, PriorError, None, "1/4"),
+            ({"kind": "piecewise", "pieces": [[0, 0, 1]]}, InvalidArcError, "pieces 0 1", "0.0000"),
+            (
+                {"kind": "mixture", "components": [[1, {"kind": "normal", "mean": 0, "sd": -1}]]},
+                PriorError,
+                "components 0 1",
+                "standard deviation -1",
+            ),
+            (
+                {"kind": "mixture", "components": [[1, {"kind": "discrete", "points": [[0, -1]]}]]},
+                PriorError,
+                "components 0 1, point 0",
+                "weight -1 is negative",
+            ),
             (
                 {"kind": "mixture", "components": [[1, {"kind": "normal", "mean": 0, "sd": "x"}]]},
                 NumberError,

@@ -96,4 +96,5 @@ def test_weights_beyond_the_largest_float():
 
 def test_points_alone_are_begun_with():
     prior = MixturePrior([("1/2", DiscretePrior({"10": 1})), ("1/2", DiscretePrior({"20": 1}))])
-    assert prior.best_window(deg(30)).start == deg(10)
+    assert prior.best_window(deg(15)).start == deg(10)  # not 0, which misses 20
+    assert prior.best_window(deg(30)).start == ZERO

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from gmpy2 import mpq
 
 from stochgeom.decision.piecewise_prior import PiecewisePrior
 from stochgeom.decision.priors import uniform_prior
+from stochgeom.errors import PriorError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.sums import AngleSum
@@ -77,6 +79,23 @@ def test_negative_edges_and_gaps():
     prior = PiecewisePrior.from_histogram(["-30", "30", "50"], [3, 1])
     assert prior.mass(Arc(deg(330), deg(60))).rational == mpq(3, 4)
     assert prior.mass(Arc(deg(50), deg(280))).rational == 0
+
+
+def test_measurements_in_bins():
+    measured = ["0", "89.999", "90", "360", "-1/3", SLOPE, deg(-90)]
+    prior = PiecewisePrior.from_measurements(measured, bins=4)
+    assert prior == PiecewisePrior.from_histogram(["0", "90", "180", "270", "360"], [4, 1, 0, 2])
+    tenths = PiecewisePrior.from_measurements(["10", "19.9", "20"])
+    assert tenths.mass(Arc(deg(10), deg(10))).rational == mpq(2, 3)
+    assert PiecewisePrior.from_measurements(["7"], bins=1) == PiecewisePrior(
+        [(Arc(ZERO, FULL_TURN), 1)]
+    )
+
+
+@pytest.mark.parametrize("bins", [0, -1, 100_001, 1.5, "36", None])
+def test_other_numbers_of_bins(bins):
+    with pytest.raises(PriorError, match="bins; accepted: whole numbers from 1 to 100000"):
+        PiecewisePrior.from_measurements(["7"], bins)
 
 
 def test_masses_on_arcs():

@@ -49,6 +49,10 @@ RECTANGLE_PLAN = {
     "probability_up_to_symmetry": "1.0000",
     "orients_up_to_symmetry": True,
     "margin": {"turns": 0, "direction": ["5", "1"], "degrees": "11.3099"},
+    "error_bound": {
+        "doubled": {"turns": 0, "direction": ["12", "5"], "degrees": "22.6199"},
+        "degrees": "11.3099",
+    },
 }
 
 RECTANGLE = {

@@ -134,6 +134,15 @@ def test_distributions():
         assert outcome.hyperstate() == THREE.distribution(step)
 
 
+@pytest.mark.parametrize("theta", [30, "30", 0.5, None])
+def test_orientations_are_angles(theta):
+    with pytest.raises(InputError, match=r"orientation: .* is no Angle; accepted"):
+        TWO.execute(theta)
+    if theta is not None:
+        with pytest.raises(InputError, match=r"arc: .* is no Arc; accepted"):
+            TWO.execute_arc(theta)
+
+
 @pytest.mark.parametrize("step", [0, -1, 3, 100])
 def test_distributions_after_other_numbers_of_steps(step):
     with pytest.raises(InputError, match=f"step {step}; accepted: 1 to 2"):

@@ -6,10 +6,17 @@ import flint
 import pytest
 from gmpy2 import mpq
 
+from stochgeom.decision.costs import CostOverProbability
+from stochgeom.decision.density_priors import VonMises, WrappedNormal
+from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.piecewise_prior import PiecewisePrior
 from stochgeom.decision.probabilities import Enclosed, Estimated
 from stochgeom.errors import InputError, PrecisionLimitError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
+from stochgeom.exact.arcs import Arc
+from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.sums import AngleSum
+from stochgeom.feeding.problem import FeedingProblem
 
 ROOT = Enclosed.of(lambda: flint.arb(2).sqrt() / 2, "root")
 ROOT_AGAIN = Enclosed.of(lambda: flint.arb(2).sqrt() / 2, "root")
@@ -113,3 +120,50 @@ def test_all_kinds_answer_the_same_questions(number):
     assert number.decimal(2)[0] == "0"
     assert number.scaled(mpq(1, 2)).compare(number) == -1
     assert number.compare(number) == 0
+
+
+# --- numbers of different kinds ------------------------------------------------------------------
+
+
+PENTAGON = [(0, 0), (7, 0), (9, 3), (4, 8), (1, 6)]
+
+
+@pytest.mark.parametrize(
+    "prior",
+    [
+        DiscretePrior({"0": "1/2", "90": "1/2"}),
+        PiecewisePrior.from_histogram(["0", "100", "300"], [1, 2]),
+        WrappedNormal("0", "20"),
+        VonMises("3", 2),
+    ],
+    ids=lambda prior: prior.kind,
+)
+def test_plans_for_different_priors_compare(prior):
+    usual = FeedingProblem(PENTAGON).plan_of(2)
+    aimed = FeedingProblem(PENTAGON, prior=prior).plan_of(2)
+    assert aimed.expected_cost < usual.expected_cost
+    assert usual.expected_cost > aimed.expected_cost
+    assert not usual.expected_cost < aimed.expected_cost
+    assert usual.expected_cost != aimed.expected_cost
+    assert aimed.expected_cost.compare(usual.expected_cost) == -1
+    assert usual.expected_cost.compare(aimed.expected_cost) == 1
+    assert usual.probability.compare(aimed.probability) == -1
+    assert aimed.probability.compare(usual.probability) == 1
+
+
+def test_equal_costs_of_different_kinds_are_equal():
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    whole = PiecewisePrior([(Arc(ZERO, FULL_TURN), 1)])
+    usual, aimed = (FeedingProblem(square, prior=p).plan_of(1) for p in (None, whole))
+    slope = TurnRatio(mpq(3), Angle(0, (3, 2)), inverse=True)
+    same = CostOverProbability(mpq(3), AngleSum(0, [(1, Angle(0, (3, 2)))]))
+    for one, other in ((usual.expected_cost, aimed.expected_cost), (slope, same)):
+        assert one == other
+        assert other == one
+        assert hash(one) == hash(other)
+        assert not one < other
+        assert one <= other
+    assert usual.probability == aimed.probability
+    assert (slope == 5, same == "5", same == aimed.probability) == (False, False, False)
+    with pytest.raises(InputError, match="is no expected cost; accepted: one"):
+        same.compare(usual.probability)

@@ -13,10 +13,13 @@ from hypothesis import strategies as st
 
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.prior_estimates import PriorEstimate, cells_between
 from stochgeom.decision.rejections import Observation, Rejections
 from stochgeom.errors import InputError, NumberError, PriorError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
-from stochgeom.exact.arcs import Arc
+from stochgeom.exact.arcs import Arc, union_measure
+from stochgeom.feeding.planner import plan_feeding
+from tests.strategies import arcs
 
 
 def deg(value):
@@ -96,6 +99,13 @@ class TestMaximumLikelihood:
         estimate = rejections.maximum_likelihood(most_iterations=2)
         assert estimate.iterations == 2
         assert estimate.gap > 1e-9
+
+    def test_the_gap_is_hardly_more_than_what_is_missing(self):
+        rejections = Rejections(CELLS[:2], [over(0, 1, 100, 0)])
+        estimate = rejections.maximum_likelihood([9, 1], most_iterations=1)
+        missing = 100 * log(10 / 9)  # before the round; the best weights are 1 and 0
+        assert estimate.gap == pytest.approx(100 * (10 / 9 - 1))
+        assert missing < estimate.gap < 1.06 * missing
 
     @given(
         st.lists(
@@ -223,7 +233,46 @@ class TestBadInput:
         with pytest.raises(InputError, match="20 or more"):
             rejections.posterior_mean(sweeps=3)
 
-    def test_arcs_without_a_rational_density(self):
-        arcs = [Arc(ZERO, Angle(0, (3, 2))), Arc(deg(90), deg(90))]
-        with pytest.raises(PriorError, match="no rational density"):
-            Rejections(arcs, []).posterior_mean().to_prior()
+    @pytest.mark.parametrize("bins", [0, -1, 1.5, "4", None])
+    def test_bins(self, bins):
+        with pytest.raises(PriorError, match="bins; accepted: whole numbers from 1 on"):
+            cells_between([], bins)
+
+
+# --- cells ---------------------------------------------------------------------------------------
+
+
+@settings(max_examples=60)
+@given(st.lists(arcs(), max_size=4), st.integers(1, 6))
+def test_no_mouth_cuts_a_cell_between_mouths(mouths, bins):
+    cells = cells_between(mouths, bins)
+    assert union_measure(cells) == FULL_TURN == sum((cell.width for cell in cells), ZERO)
+    rejections = Rejections(cells, [Observation(mouth, 0, 0) for mouth in mouths])
+    assert rejections.total == 0
+
+
+def test_ends_move_to_rational_degrees():
+    slope, hair = Angle(0, (3, 2)), Angle(0, (10**15, 1))
+    cells = cells_between([Arc(slope, hair), Arc(deg(90), deg(90))])
+    weights = tuple(mpq(k + 1, 15) for k in range(5))
+    prior = PriorEstimate(cells, weights, "made up", exact=True).to_prior()
+    assert len(prior.density.breaks) == 5
+    for cell, place in zip(cells, prior.density.breaks, strict=True):
+        assert abs((place - cell.start).to_float()) < 1e-15
+        assert place == cell.start or cell.start.rational_turns is None
+    ends = (*prior.density.breaks[1:], FULL_TURN)
+    for start, end, weight in zip(prior.density.breaks, ends, weights, strict=True):
+        assert prior.mass(Arc(start, end - start)).rational == weight
+
+
+def test_from_rejections_to_a_better_plan():
+    """Counts of two mouths of a real plan make a prior under which the plan costs less."""
+    house = [(-1, -1), (1, -1), (1, 1), (0, 2), (-1, 1)]
+    plan = plan_feeding(house)
+    mouths = [plan.mouth.rotate(deg(angle)) for angle in (0, 100)]
+    cells = cells_between(mouths, bins=12)
+    seen = Rejections(cells, [Observation(mouths[0], 90, 10), Observation(mouths[1], 30, 70)])
+    prior = seen.maximum_likelihood().to_prior()
+    better = plan_feeding(house, prior=prior)
+    assert better.expected_cost < plan.expected_cost
+    assert better.verify()

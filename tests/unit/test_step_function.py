@@ -113,6 +113,10 @@ def test_vectors_are_taken_as_they_are():
         ([deg(10)], [deg(1)], deg(-90), None, "a full turn divided by a whole number"),
         ([deg(10)], [deg(1)], deg(100), None, "a full turn divided by a whole number"),
         ([deg(10)], [deg(1)], deg(720), None, "a full turn divided by a whole number"),
+        ([deg(10), 20], deg(1, 2), FULL_TURN, "break 1", "exact angles, such as"),
+        ([deg(10)], ["1"], FULL_TURN, "value 0", "exact angles, such as"),
+        ([deg(10)], [0.5], FULL_TURN, "value 0", "exact angles, such as"),
+        ([deg(10)], [deg(1)], 360, "period", "exact angles, such as"),
         ([deg(10)], [deg(1)], Angle(0, (2, 1)), None, "a full turn divided by a whole number"),
     ],
 )
