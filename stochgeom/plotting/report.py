@@ -171,7 +171,7 @@ def _player(subject: Subject) -> Iterator[str]:
     yield '<div class="said"><p class="play">All actions, one after the other, again and again. '
     yield "Choose a number to see one action; the arrow keys step through them.</p>"
     yield from (f'<p class="s{k}">{said_at(subject, k)}</p>' for k in range(actions + 1))
-    yield '</div>\n<div class="stage">'
+    yield f'</div>\n<div class="stage of{len(subject.traces)}">'
     for place, trace in enumerate(subject.traces):
         caption, words = panel_caption(subject, trace), panel_description(subject, trace)
         yield panel(place, trace, caption, words)
@@ -197,10 +197,11 @@ def _stills(subject: Subject) -> str:
 def _actions(subject: Subject) -> Iterator[str]:
     yield frame_of_reference(subject)
     yield action_table(subject)
+    if subject.plan.margin is None:
+        return
     shown = [k for k in shown_rows(subject.plan.steps) if k is not None][: 2 * MOST_PICTURED]
-    scene = tolerance_scene([(k + 1, subject.plan.actions[k]) for k in shown])
     yield _picture(
-        scene,
+        tolerance_scene([(k + 1, subject.plan.actions[k]) for k in shown]),
         "Ranges of the actions",
         "For each action a bar from the lower end of its range, hollow: not included, to the upper "
         "end, filled: included. The triangle marks the angle of the plan. The table above has the "

@@ -13,7 +13,7 @@ from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.graph import TEXT, degree_ticks
 from stochgeom.plotting.scene import XY, Disc, Label, Line, Polygon, Scene, rectangle
 
-_LEFT: Final = 74.0
+_LEFT: Final = 84.0
 _WIDTH: Final = 760.0
 _ROW: Final = 80.0
 _BAR_ROW: Final = 26.0
@@ -40,7 +40,7 @@ def distribution_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> S
     for place, (action, state) in enumerate(rows):
         base = -_ROW * (place + 1)
         scene.add(Line(((_LEFT, base), (_LEFT + _WIDTH, base)), "frame"))
-        scene.add(Label((_LEFT - 8, base + 0.3 * _ROW), f"after {action}", TEXT, "end"))
+        scene.add(Label((_LEFT - 20, base + 0.3 * _ROW), f"after {action}", TEXT, "end"))
         _add_stems(scene, state, base, goal.reduced())
     return scene
 

@@ -60,6 +60,7 @@ min-width:2.6rem;text-align:center;user-select:none}
 .steps label:hover{border-color:var(--accent);color:var(--accent)}
 .said p{display:none;min-height:4.5rem;margin:.4rem 0}
 .stage{display:grid;grid-template-columns:repeat(3,1fr);gap:.75rem}
+.of4{grid-template-columns:repeat(4,1fr)}.of2,.of1{grid-template-columns:repeat(2,minmax(0,20rem))}
 .panel{margin:0;background:var(--panel);border-radius:.5rem;padding:.4rem .4rem .6rem;
 text-align:center}
 .panel svg{display:block;width:100%;height:auto}
@@ -72,7 +73,7 @@ text-align:center}
 .mass{fill:var(--paper);stroke:var(--ink);stroke-width:3}
 .jaw{fill:var(--jaw);stroke:var(--ink);stroke-width:1.5}
 .pushing{fill:var(--push)}
-.strip td,.strip thead th{text-align:center}
+.strip td,.strip th{text-align:center}
 .strip{width:100%}.strip td,.strip tbody th{padding:.2rem;vertical-align:middle}
 .still{display:block;width:7rem;height:7rem;margin:auto}
 .sg-text{fill:var(--ink)}
@@ -88,7 +89,7 @@ text-align:center}
 .sg-bar,.sg-caught{fill:var(--bar);stroke:var(--ink)}
 .sg-band{fill:var(--panel)}
 @media (max-width:40rem){main{padding:1rem .8rem 3rem}h1{font-size:1.5rem}
-.stage{grid-template-columns:repeat(2,1fr)}.hero>svg{width:8rem}
+.stage,.of4{grid-template-columns:repeat(2,1fr)}.hero>svg{width:8rem}
 th,td{padding:.3rem .5rem}.facts{grid-template-columns:1fr 1fr}}
 @media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#333;--rule:#bbb;
 --panel:#f2f2f2;--part:#d9d9d9;--jaw:#888;--push:#000;--accent:#000;--bar:#aaa;--good:#000}
