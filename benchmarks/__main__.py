@@ -24,6 +24,7 @@ NAMES = (
     "exhaustive",
     "actions_and_priors",
     "html_report",
+    "pictures",
     "over_fields",
 )
 
