@@ -306,11 +306,13 @@ class TestFunnels:
         assert "caught: 0.5000" in scene.labels()
         assert len(scene.of_style("caught")) == 1
 
-    def test_an_orientation_at_the_closed_end_of_the_mouth_is_shaded(self):
-        prior = DiscretePrior.from_counts({"10": 3, "100": 5, "300": 2})
-        plan = plan_feeding(RECTANGLE, prior=prior)
-        assert plan.mouth.start == degrees("10")
-        assert len(funnel_scene(plan).of_style("caught")) == 2
+    def test_the_closed_end_of_the_mouth_is_shaded_and_the_open_one_is_not(self):
+        mouth = plan_feeding(RECTANGLE).mouth
+        prior = DiscretePrior([(mouth.start, "3/4"), (mouth.end.reduced(), "1/4")])
+        scene = funnel_scene(plan_feeding(RECTANGLE), prior)
+        assert "caught: 0.7500" in scene.labels()
+        assert len(scene.of_style("caught")) == 1
+        assert len(scene.of_style("density")) == 1
 
     def test_the_caught_area_is_the_caught_share(self):
         """Area of the shaded polygon over that of the histogram of one turn: the probability."""
