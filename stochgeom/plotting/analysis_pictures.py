@@ -114,6 +114,13 @@ def draw_push_grasp_analysis(
         If there are not six axes.
     CenterOfMassError
         If the centre of mass is not strictly inside the convex hull.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> axes = Figure().subplots(2, 3).ravel().tolist()
+    >>> [ax.get_ylabel() for ax in draw_push_grasp_analysis([(0, 0), (4, 0), (0, 3)], axes)]
+    ['radius', 'push', 'diameter', 'squeeze', '', 'push-grasp']
     """
     need_matplotlib()
     part = as_part(part)
@@ -160,6 +167,14 @@ def draw_phase_one(transfer: StepFunction, steps: int, ax: Axes | None = None) -
     ------
     InputError
         If there is no preimage of so many steps.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> transfer = squeeze_function([(0, 0), (3, 0), (3, 2), (0, 2)])
+    >>> ax = draw_phase_one(transfer, 2, Figure().subplots())
+    >>> [text.get_text() for text in ax.texts]
+    ['180.00°']
     """
     chain = Preimages(transfer)
     chosen = chain.of_steps(steps)

@@ -168,7 +168,16 @@ def save_figure(picture: Axes | Figure, path: str | os.PathLike[str], *, dpi: in
     InputError
         For any other ending.
     WriteError
-        If the file cannot be written.
+        If the file cannot be written; what stood there still does.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from matplotlib.figure import Figure
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = save_figure(Figure(), Path(folder) / "empty.svg")
+    >>> written.name
+    'empty.svg'
     """
     need_matplotlib()
     import matplotlib

@@ -74,12 +74,19 @@ def draw_diameter(
 def draw_radius(part: PartLike | RadiusFunction, ax: Axes | None = None, *, turns: int = 1) -> Axes:
     """Draw the radius function, distance from jaw to centre of mass (Fig. E.1).
 
-    As `draw_diameter` draws the diameter function.
+    As `draw_diameter` draws the diameter function, with the same parameters.
 
     Raises
     ------
     CenterOfMassError
         If the centre of mass is not strictly inside the convex hull.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_radius([(0, 0), (3, 0), (3, 2), (0, 2)], Figure().subplots())
+    >>> ax.lines[1].get_ydata().round(6).tolist()
+    [1.0, 1.5, 1.0, 1.5, 1.0]
     """
     function = part if isinstance(part, RadiusFunction) else RadiusFunction(part)
     return _draw_wave(wave_of(function, turns), turns, "radius", ax)
@@ -147,6 +154,15 @@ def draw_step_function(
         The range, in full turns.
     name : str
         Written along the y axis.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from stochgeom.transfer.squeeze import squeeze_function
+    >>> squeeze = squeeze_function([(0, 0), (3, 0), (3, 2), (0, 2)])
+    >>> ax = draw_step_function(squeeze, Figure().subplots(), name="squeeze")
+    >>> ax.get_ylabel(), [tick.get_text() for tick in ax.get_yticklabels()]
+    ('squeeze', ['0°', '90°', '180°', '270°', '360°'])
     """
     ax = axes_or_new(ax, (6.4, 4.4))
     steps = steps_of(transfer, turns)

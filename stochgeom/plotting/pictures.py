@@ -162,7 +162,22 @@ def draw_uncertain_grasp(
 
 
 def draw_gripper(ax: Axes | None = None, *, sliding: bool = False) -> Axes:
-    """Draw an empty gripper, with its sliding plate or without (thesis Figs. B.1 and B.3)."""
+    """Draw an empty gripper, with its sliding plate or without (thesis Figs. B.1 and B.3).
+
+    Parameters
+    ----------
+    ax : Axes, optional
+        Where; default: on a new figure.
+    sliding : bool
+        Whether the upper jaw carries a plate on rollers.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_gripper(Figure().subplots(), sliding=True)
+    >>> [text.get_text() for text in ax.texts]
+    ['parallel-jaw gripper', 'plate on rollers']
+    """
     need_matplotlib()
     return draw_scene(gripper_scene(sliding=sliding), ax, inches=0.9)
 
@@ -178,13 +193,41 @@ def draw_closing(part: PartLike, theta: Orientation, ax: Axes | None = None) -> 
         The orientation in which both jaws touch first.
     ax : Axes, optional
         Where; default: on a new figure.
+
+    Notes
+    -----
+    A schematic: the part rolls on the fixed jaw without slipping and takes the plate along.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_closing(Part.regular(6), 15, Figure().subplots())
+    >>> ax.texts[-1].get_text()
+    '3: stable, 0.00°'
     """
     need_matplotlib()
     return draw_scene(closing_scene(as_part(part), as_angle(theta)), ax, inches=0.7)
 
 
 def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None) -> Axes:
-    """Draw one grasp without and with the sliding jaw: held by friction, or stable (Fig. B.2)."""
+    """Draw one grasp without and with the sliding jaw: held by friction, or stable (Fig. B.2).
+
+    Parameters
+    ----------
+    part : Part, or its vertices
+        Any part.
+    theta : Angle, or degrees as an exact number or text
+        The orientation in which both jaws touch first.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_sliding_jaw(Part.regular(6), 20, Figure().subplots())
+    >>> [text.get_text() for text in ax.texts]
+    ['friction: wedged at 20.00°', 'sliding jaw: stable at 0.00°']
+    """
     need_matplotlib()
     return draw_scene(wedged_or_stable_scene(as_part(part), as_angle(theta)), ax, inches=0.8)
 
@@ -234,8 +277,25 @@ def draw_trace(
 def draw_funnel(plan: FeedingPlan, ax: Axes | None = None, *, prior: Prior | None = None) -> Axes:
     """Draw a plan as a funnel of preimages and images (thesis Fig. 5.7).
 
-    Under a prior (default: that of the plan) its density stands above, what the mouth catches
-    shaded (Fig. F.1).
+    Under a prior its density stands above, over arcs of 3 degrees, what the mouth catches shaded
+    (Fig. F.1). Angles are those of the part as a camera sees it.
+
+    Parameters
+    ----------
+    plan : FeedingPlan
+        Any plan.
+    ax : Axes, optional
+        Where; default: on a new figure.
+    prior : Prior, optional
+        Default: that of the plan; without any the funnel stands alone.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from stochgeom.feeding.planner import plan_feeding
+    >>> ax = draw_funnel(plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)]), Figure().subplots())
+    >>> [text.get_text() for text in ax.texts if "to go" in text.get_text()]
+    ['2 actions to go', '1 action to go']
     """
     need_matplotlib()
     return draw_scene(funnel_scene(plan, prior), ax, inches=1 / 80)
@@ -244,7 +304,29 @@ def draw_funnel(plan: FeedingPlan, ax: Axes | None = None, *, prior: Prior | Non
 def draw_sensed_blocks(
     prior: Sequence[RationalLike], likelihood: Sequence[RationalLike], ax: Axes | None = None
 ) -> Axes:
-    """Draw what a sensor reading makes of a distribution over places (thesis Fig. 1.2)."""
+    """Draw what a sensor reading makes of a distribution over places (thesis Fig. 1.2).
+
+    Parameters
+    ----------
+    prior : sequence of rational
+        A weight for each place; they are divided by their sum.
+    likelihood : sequence of rational
+        How likely the reading is in each place.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    InputError
+        If the lengths differ, or the reading is impossible under the prior.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_sensed_blocks([1, 1, 1, 1], [1, 2, 4, 3], Figure().subplots())
+    >>> [text.get_text() for text in ax.texts][-4:]
+    ['1/10', '1/5', '2/5', '3/10']
+    """
     need_matplotlib()
     return draw_scene(sensed_blocks_scene(prior, likelihood), ax, inches=0.6)
 
@@ -252,6 +334,28 @@ def draw_sensed_blocks(
 def draw_scooped_blocks(
     prior: Sequence[RationalLike], lands: Sequence[int], ax: Axes | None = None
 ) -> Axes:
-    """Draw what a blind action makes of a distribution over places (thesis Fig. 1.3)."""
+    """Draw what a blind action makes of a distribution over places (thesis Fig. 1.3).
+
+    Parameters
+    ----------
+    prior : sequence of rational
+        A weight for each place; they are divided by their sum.
+    lands : sequence of int
+        The place, counted from 0, that a block in each place is moved to.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    InputError
+        If the lengths differ, or a number names no place.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_scooped_blocks([1, 1, 1, 1], [0, 1, 3, 3], Figure().subplots())
+    >>> [text.get_text() for text in ax.texts][-4:]
+    ['1/4', '1/4', '0', '1/2']
+    """
     need_matplotlib()
     return draw_scene(scooped_blocks_scene(prior, lands), ax, inches=0.6)
