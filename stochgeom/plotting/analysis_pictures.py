@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from stochgeom.errors import InputError
-from stochgeom.feeding.preimages import Preimage, Preimages
+from stochgeom.feeding.preimages import Preimage, preimages
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.geometry.points import PointLike
+from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
 from stochgeom.plotting.curves import bars_of, in_degrees, turns_for
 from stochgeom.plotting.function_pictures import (
@@ -67,6 +68,7 @@ def draw_analysis(problem: FeedingProblem, axes: Sequence[Axes] | None = None) -
     2
     """
     need_matplotlib()
+    problem = expect(problem, FeedingProblem, "a problem, such as FeedingProblem(part)")
     chain = list(problem.preimages)
     bars = bars_of(chain)
     turns, count = turns_for(bars), 2 if problem.part is None else 3
@@ -176,7 +178,7 @@ def draw_phase_one(transfer: StepFunction, steps: int, ax: Axes | None = None) -
     >>> [text.get_text() for text in ax.texts]
     ['180.00°']
     """
-    chain = Preimages(transfer)
+    chain = preimages(transfer)
     chosen = chain.of_steps(steps)
     if chosen.steps < steps:
         raise InputError(f"{steps} steps; accepted: 1 to {chosen.steps}")

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from stochgeom.errors import InputError, MissingExtraError
 from stochgeom.io.files import write_whole
+from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.scene import Disc, Label, Line, Scene, Shape
 from stochgeom.plotting.styles import INK, STYLES, Style
 
@@ -61,9 +62,7 @@ def axes_or_new(ax: Axes | None, size: tuple[float, float] = (6.4, 4.0)) -> Axes
         return plt.subplots(figsize=(width, height), layout="constrained")[1]
     from matplotlib.axes import Axes
 
-    if not isinstance(ax, Axes):
-        raise InputError(f"{ax!r:.60} is no matplotlib Axes; accepted: Axes, or None for new ones")
-    return ax
+    return expect(ax, Axes, "the Axes of matplotlib, or None for new ones")
 
 
 def draw_scene(scene: Scene, ax: Axes | None = None, *, inches: float = 0.3) -> Axes:
@@ -187,7 +186,9 @@ def save_figure(picture: Axes | Figure, path: str | os.PathLike[str], *, dpi: in
     if kind not in FORMATS:
         accepted = ", ".join(f".{name}" for name in FORMATS)
         raise InputError(f"a picture file that ends in {target.suffix!r}; accepted: {accepted}")
-    figure: Any = picture if hasattr(picture, "savefig") else picture.get_figure(root=True)
+    figure: Any = picture.get_figure(root=True) if hasattr(picture, "get_figure") else picture
+    if not hasattr(figure, "savefig"):
+        raise InputError(f"{picture!r:.60} is no picture; accepted: Axes or a Figure of matplotlib")
     content = BytesIO()
     # The salt makes the names inside SVG files the same each time.
     with matplotlib.rc_context({"svg.hashsalt": "stochgeom", "svg.fonttype": "path"}):

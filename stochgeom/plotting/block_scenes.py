@@ -8,7 +8,7 @@ and adds their probabilities.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
 from gmpy2 import mpq
 
@@ -87,11 +87,7 @@ def scooped_blocks_scene(prior: Sequence[RationalLike], lands: Sequence[int]) ->
         raise InputError(f"{len(lands)} places to land in; accepted: {len(before)}")
     after = [mpq(0)] * len(before)
     for k, (place, share) in enumerate(zip(lands, before, strict=True)):
-        if not 0 <= place < len(before):
-            raise InputError(
-                f"place {place}; accepted: 0 to {len(before) - 1}", where=f"landing place {k}"
-            )
-        after[place] += share
+        after[_checked_place(place, len(before), k)] += share
     touched = [k for k, place in enumerate(lands) if k != place]
     scene = Scene()
     _add_places(scene, 0.0, before)
@@ -104,6 +100,15 @@ def scooped_blocks_scene(prior: Sequence[RationalLike], lands: Sequence[int]) ->
     _add_arrow(scene, len(before), "close the gripper")
     _add_places(scene, right, after)
     return scene
+
+
+def _checked_place(place: Any, count: int, k: int) -> int:
+    if not (isinstance(place, int) and 0 <= place < count):
+        raise InputError(
+            f"place {place!r:.60}; accepted: whole numbers from 0 to {count - 1}",
+            where=f"landing place {k}",
+        )
+    return place
 
 
 def _add_hand(scene: Scene, left: float, right: float) -> None:

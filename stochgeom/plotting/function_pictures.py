@@ -14,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.errors import InputError
 from stochgeom.feeding.preimages import Preimage, Preimages
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import PointLike
 from stochgeom.geometry.radius import RadiusFunction
-from stochgeom.plotting.axes import axes_or_new
+from stochgeom.plotting.arguments import expect
+from stochgeom.plotting.axes import axes_or_new, need_matplotlib
 from stochgeom.plotting.curves import (
     Bar,
     Steps,
@@ -164,8 +166,9 @@ def draw_step_function(
     >>> ax.get_ylabel(), [tick.get_text() for tick in ax.get_yticklabels()]
     ('squeeze', ['0°', '90°', '180°', '270°', '360°'])
     """
-    ax = axes_or_new(ax, (6.4, 4.4))
+    need_matplotlib()
     steps = steps_of(transfer, turns)
+    ax = axes_or_new(ax, (6.4, 4.4))
     limits = step_limits(steps)
     diagonal = STYLES["diagonal"]
     ax.plot([0, steps.end], [0, steps.end], color=diagonal.stroke, linewidth=0.8, linestyle="--")
@@ -211,7 +214,7 @@ def draw_preimages(
     >>> len(ax.patches), [text.get_text() for text in ax.texts]
     (2, ['112.62°', '180.00°'])
     """
-    bars = bars_of(Preimages(chain) if isinstance(chain, StepFunction) else chain)
+    bars = bars_of(_listed(chain))
     ax = axes_or_new(ax, (6.4, min(0.9 + 0.26 * len(bars), 8.0)))
     turns = turns_for(bars)
     style = STYLES["bar"]
@@ -235,6 +238,15 @@ def draw_preimages(
         _width_label(ax, bar, 360.0 * turns)
     ax.grid(visible=False, axis="y")
     return ax
+
+
+def _listed(chain: StepFunction | Preimages | Iterable[Preimage]) -> list[Preimage]:
+    accepted = "a step function, or preimages such as FeedingProblem(part).preimages"
+    found = Preimages(chain) if isinstance(chain, StepFunction) else chain
+    preimages = list(expect(found, Iterable, accepted))
+    if not preimages:
+        raise InputError(f"0 preimages; accepted: {accepted}")
+    return [expect(preimage, Preimage, accepted) for preimage in preimages]
 
 
 def _label_every(ax: Axes, rows: int) -> int:
@@ -276,6 +288,7 @@ def draw_distribution(state: Hyperstate, ax: Axes | None = None) -> Axes:
     >>> [text.get_text() for text in ax.texts]
     ['0.313', '0.187', '0.313', '0.187']
     """
+    state = expect(state, Hyperstate, "a distribution, such as plan.distribution(1)")
     ax = axes_or_new(ax, (6.4, 2.4))
     places, shares = bars_of_state(state)
     style = STYLES["bar"]

@@ -20,6 +20,7 @@ from stochgeom.decision.priors import Prior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.distributions import bin_masses, fitted
 from stochgeom.plotting.graph import TEXT, Panel, degree_ticks
@@ -98,7 +99,8 @@ def funnel_scene(
 
     The density is drawn over arcs of 3 degrees; what the mouth catches is shaded.
     """
-    prior = plan.prior if prior is None else prior
+    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
+    prior = plan.prior if prior is None else expect(prior, Prior, "a prior, such as WrappedNormal")
     funnels, scene = funnels_of(plan), Scene()
     low, high = _range_of(funnels, whole_turn=prior is not None)
     height = _ROW * len(funnels) + 12.0

@@ -16,6 +16,7 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.distributions import Strip, add_distribution, add_prior, add_scale
 from stochgeom.plotting.grasps import REACH, Pose, pose_shapes
 from stochgeom.plotting.scene import Label, Line, Scene, Shape, shown_degrees
@@ -85,6 +86,7 @@ def trace_scene(
     InputError
         If the plan is for a transfer function without a part.
     """
+    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
     if plan.part is None:
         raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
     chosen = typical_orientations(plan) if orientations is None else tuple(orientations)
