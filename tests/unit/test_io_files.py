@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -68,3 +70,15 @@ def test_a_text_that_cannot_be_encoded_leaves_nothing(tmp_path):
     with pytest.raises(WriteError):
         write_whole(str(tmp_path / "a"), "half \ud800")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_write_that_is_cut_short_leaves_nothing(tmp_path, monkeypatch):
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    (tmp_path / "a").write_text("kept", encoding="utf-8")
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(WriteError, match="No space left"):
+        write_whole(str(tmp_path / "a"), "new")
+    assert [p.name for p in tmp_path.iterdir()] == ["a"]
+    assert (tmp_path / "a").read_text(encoding="utf-8") == "kept"

@@ -13,12 +13,15 @@ import pytest
 
 import stochgeom as sg
 from benchmarks.outlines import near_circle, small_convex
+from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.errors import InputError, WriteError
 from stochgeom.feeding import certificate_checker
 from stochgeom.io.embedded import CERTIFICATE, PLAN, find_block
 from stochgeom.io.plan_json import plan_json
 from stochgeom.plotting.report import MOST_CERTIFIED, report_html
+from stochgeom.plotting.report_pictures import distribution_scene
 from stochgeom.plotting.report_subject import MOST_MORE, MOST_ROWS, Subject, shown_rows
+from stochgeom.plotting.scene import Label, box_of
 from tests.repo.sources import ROOT
 
 HALF_OPEN = sg.StepFunction(
@@ -272,13 +275,44 @@ def test_what_was_asked_for_is_said(make, words):
     assert words in report_html(make())
 
 
-def test_the_filter_is_described_exactly():
-    page = report_html(PLANS["4gon"]())
-    # Six parts, each on the stage and in the table.
-    assert page.count('<b class="yes">accepted</b>') + page.count("<b>equivalent</b>") == 12
-    assert "sent around again" not in page.partition("The plan at work")[2]
-    house = report_html(sg.plan_feeding(sg.load_part("house")))
-    assert "<b>sent around again</b>" in house
+@pytest.mark.parametrize("name", ["house", "4gon", "push-grasp", "prior", "field"])
+def test_the_filter_is_described_exactly(name):
+    plan = PLANS[name]()
+    page = report_html(plan)
+    ends = [trace.states[-1].reduced() for trace in Subject(plan, 4).traces]
+    goal, period = plan.final_orientation.reduced(), plan.transfer.period
+    equal = sum(end == goal for end in ends)
+    alike = sum(end != goal and not (end - goal) % period for end in ends)
+    # Each part is on the stage and in the table.
+    assert page.count('<b class="yes">accepted</b>') == 2 * equal > 0
+    assert page.count("<b>equivalent</b>") == 2 * alike
+    assert page.count("<b>sent around again</b>") == 2 * (len(ends) - equal - alike)
+
+
+def test_each_verdict_is_reached():
+    pages = [report_html(sg.FeedingProblem(sg.load_part("house")).plan_of(k)) for k in (1, 2)]
+    assert ["<b>sent around again</b>" in page for page in pages] == [True, False]
+    assert all("<b>equivalent</b>" in page for page in pages)
+
+
+def test_labels_of_near_states_stand_above_each_other():
+    degrees = (0, 1, 2, 3, 100, 350, 355)
+    state = Hyperstate(
+        tuple(sg.Angle.from_degrees(d) for d in degrees),
+        tuple(sg.Angle.from_degrees(w) for w in (30, 30, 40, 200, 20, 20, 20)),
+    )
+    scene = distribution_scene([(1, state)], sg.ZERO)
+    boxes = [
+        box_of(shape)
+        for shape in scene.shapes
+        if isinstance(shape, Label) and re.fullmatch(r"0\.\d\d", shape.text)
+    ]
+    assert len(boxes) == len(degrees)
+    for k, ((left, low), (right, high)) in enumerate(boxes):
+        for (other_left, other_low), (other_right, other_high) in boxes[k + 1 :]:
+            apart = right < other_left or other_right < left
+            # A box is a fifth higher than its letters.
+            assert apart or high - 1.2 < other_low or other_high - 1.2 < low
 
 
 # --- proof ---------------------------------------------------------------------------------------
