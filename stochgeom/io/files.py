@@ -74,12 +74,13 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
     temporary: str | None = None
     try:
         data = content.encode("utf-8") if isinstance(content, str) else content
-        target = Path(path).resolve()
+        target = Path(path)
         if target.is_dir():
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         if target.exists() and not target.is_file():
             target.write_bytes(data)
             return
+        target = target.resolve()
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}-")
         with os.fdopen(handle, "wb") as file:
             file.write(data)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -12,6 +14,7 @@ import pytest
 
 from stochgeom.errors import WriteError
 from stochgeom.io.files import write_whole
+from tests.repo.sources import ROOT
 
 
 def test_a_file_is_written_and_replaced(tmp_path):
@@ -52,6 +55,12 @@ def test_a_pipe_is_written_to_and_not_replaced(tmp_path):
     assert read == ["through"]
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert [p.name for p in tmp_path.iterdir()] == ["pipe"]
+
+
+def test_standard_output_by_its_name_is_written_to():
+    code = "from stochgeom.io.files import write_whole; write_whole('/dev/stdout', 'through')"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, cwd=ROOT)
+    assert done.stdout == b"through"
 
 
 @pytest.mark.parametrize("name", ["missing/a", "file/a", "folder", "circle", "nul\0", "x" * 300])
