@@ -268,7 +268,6 @@ def test_distributions_are_those_of_the_plan():
         (PLANS["house"], "26.5650°</dd>"),
         (lambda: sg.plan_feeding(sg.load_part("house")), "the only turn is random"),
         (PLANS["no part"], "Feeding plan for this part"),
-        (PLANS["field"], "coordinates with square roots are not certified"),
     ],
 )
 def test_what_was_asked_for_is_said(make, words):
