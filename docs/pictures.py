@@ -1,0 +1,77 @@
+"""The pictures of the manual and the README, drawn anew.
+
+    python docs/pictures.py
+
+writes them into docs/pictures/. They are drawn without matplotlib, so that the same bytes come out
+everywhere; `tests/repo/test_manual.py` holds the files to what is drawn here.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from stochgeom import DiameterFunction, FeedingPlan, FeedingProblem, Part, catalogue_part
+from stochgeom.exact.angles import Angle
+from stochgeom.plotting.function_scenes import analysis_scene
+from stochgeom.plotting.funnel_scenes import funnel_scene
+from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.scene import Scene
+from stochgeom.plotting.svg import svg_document
+from stochgeom.plotting.trace_scenes import trace_scene
+
+FOLDER: Final = Path(__file__).resolve().parent / "pictures"
+
+
+def plan_of(name: str) -> FeedingPlan:
+    """Return the shortest plan of a part of the catalogue."""
+    return FeedingProblem(catalogue_part(name)).geometric_plan()
+
+
+def trace(name: str, degrees: tuple[int, ...]) -> Scene:
+    """Return the part and the gripper after each action, a column for each orientation."""
+    return trace_scene(plan_of(name), [Angle.from_degrees(value) for value in degrees])
+
+
+def analysis(name: str) -> Scene:
+    """Return the diameter function, the squeeze function and the preimages of a part."""
+    problem = FeedingProblem(catalogue_part(name))
+    wave = DiameterFunction(catalogue_part(name))
+    return analysis_scene(problem.transfer, problem.preimages, wave, name="squeeze function")
+
+
+def pictures() -> dict[str, str]:
+    """Return the SVG documents by the names of their files."""
+    wedge = Part([(0, 0), ("2.5", 0), ("2.5", 1), ("0.3", "1.7")], name="wedge")
+    return {
+        "wedge.svg": svg_document(part_scene(wedge), title="the part of the tutorial", scale=90),
+        "trace.svg": svg_document(
+            trace("rectangle", (20, 75, 140)),
+            title="two squeezes orient a rectangle, whatever its orientation was",
+            scale=26,
+        ),
+        "fourgon-trace.svg": svg_document(
+            trace("4gon", (10, 60, 100, 150)),
+            title="four squeezes orient the 4gon up to symmetry",
+            scale=24,
+        ),
+        "analysis.svg": svg_document(
+            analysis("4gon"),
+            title="diameter function, squeeze function and preimages of the 4gon",
+            scale=1,
+        ),
+        "funnel.svg": svg_document(
+            funnel_scene(plan_of("4gon")), title="the plan of the 4gon as a funnel", scale=1
+        ),
+    }
+
+
+def main() -> None:
+    """Write the pictures."""
+    FOLDER.mkdir(exist_ok=True)
+    for name, text in pictures().items():
+        (FOLDER / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
