@@ -111,6 +111,11 @@ class TestOnAxes:
         assert b"dc:date" not in first
         assert b"CreationDate" not in first
 
+    def test_graphs_that_are_drawn_together_are_saved_together(self, tmp_path):
+        graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
+        path = sg.save_figure(graphs, tmp_path / "analysis.svg")
+        assert path.read_bytes() == sg.save_figure(graphs[-1], tmp_path / "b.svg").read_bytes()
+
     # --- what is drawn ---------------------------------------------------------------------------
 
     def test_bars_stand_where_the_preimages_are(self):
