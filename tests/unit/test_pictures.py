@@ -112,9 +112,10 @@ class TestOnAxes:
         assert b"CreationDate" not in first
 
     def test_graphs_that_are_drawn_together_are_saved_together(self, tmp_path):
-        graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
-        path = sg.save_figure(graphs, tmp_path / "analysis.svg")
-        assert path.read_bytes() == sg.save_figure(graphs[-1], tmp_path / "b.svg").read_bytes()
+        for pick, name in ((slice(None), "all.svg"), (-1, "one.svg")):
+            graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
+            sg.save_figure(graphs[pick], tmp_path / name)
+        assert (tmp_path / "all.svg").read_bytes() == (tmp_path / "one.svg").read_bytes()
 
     # --- what is drawn ---------------------------------------------------------------------------
 
