@@ -32,7 +32,8 @@ def directive_of(name: str) -> list[str]:
     """Return the lines of reStructuredText that document a public name."""
     value = getattr(stochgeom, name)
     if inspect.isclass(value):
-        return [f".. autoclass:: stochgeom.{name}", "   :members:", "   :show-inheritance:", ""]
+        bases = [] if value.__bases__ == (object,) else ["   :show-inheritance:"]
+        return [f".. autoclass:: stochgeom.{name}", "   :members:", *bases, ""]
     if callable(value):
         return [f".. autofunction:: stochgeom.{name}", ""]
     # The docstring of a constant stands under it, in the module where it is made.
