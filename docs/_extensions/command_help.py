@@ -5,12 +5,14 @@ from __future__ import annotations
 import argparse
 import os
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from unittest import mock
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
+import stochgeom
 from stochgeom.cli.main import build_parser
 
 if TYPE_CHECKING:
@@ -18,7 +20,9 @@ if TYPE_CHECKING:
 
     from sphinx.application import Sphinx
 
-PLAIN = {"COLUMNS": "100", "NO_COLOR": "1"}
+HERE = Path(stochgeom.__file__).parents[1]
+
+PLAIN = {"COLUMNS": "88", "NO_COLOR": "1"}
 """What argparse looks at before it breaks lines and paints them."""
 
 
@@ -41,7 +45,8 @@ class CommandHelp(SphinxDirective):
             return [self._section(parser) for parser in parsers_within(build_parser())]
 
     def _section(self, parser: argparse.ArgumentParser) -> nodes.Node:
-        text = parser.format_help()
+        # Where the package happens to lie is nothing to the reader.
+        text = parser.format_help().replace(f"{HERE}/", "")
         section = nodes.section(ids=[nodes.make_id(parser.prog)], names=[parser.prog])
         section += nodes.title("", "", nodes.literal(text=parser.prog))
         section += nodes.literal_block(text, re.sub(r"^usage: ", "", text), language="text")
