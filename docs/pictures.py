@@ -15,6 +15,7 @@ from stochgeom import DiameterFunction, FeedingPlan, FeedingProblem, Part, catal
 from stochgeom.exact.angles import Angle
 from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene
+from stochgeom.plotting.grasp_scenes import grasp_scene
 from stochgeom.plotting.part_scenes import part_scene
 from stochgeom.plotting.scene import Scene
 from stochgeom.plotting.svg import svg_document
@@ -42,9 +43,16 @@ def analysis(name: str) -> Scene:
 
 def pictures() -> dict[str, str]:
     """Return the SVG documents by the names of their files."""
+    rectangle = catalogue_part("rectangle")
     wedge = Part([(0, 0), ("2.5", 0), ("2.5", 1), ("0.3", "1.7")], name="wedge")
     return {
         "wedge.svg": svg_document(part_scene(wedge), title="the part of the tutorial", scale=90),
+        "stable.svg": svg_document(
+            grasp_scene(rectangle, Angle.from_degrees(0)), title="a stable grasp", scale=70
+        ),
+        "wedged.svg": svg_document(
+            grasp_scene(rectangle, Angle.from_degrees(60)), title="a wedged grasp", scale=70
+        ),
         "trace.svg": svg_document(
             trace("rectangle", (20, 75, 140)),
             title="two squeezes orient a rectangle, whatever its orientation was",
