@@ -232,5 +232,9 @@ class UnknownPartError(InputError):
     """The catalogue has no part of that name."""
 
 
+class UnknownErratumError(InputError):
+    """The register of errata has none of that number or text."""
+
+
 class MissingExtraError(StochgeomError, ImportError):
     """An optional dependency is not installed; the message names the extra that brings it."""

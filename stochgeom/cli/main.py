@@ -18,6 +18,7 @@ import stochgeom.errors as errors
 from stochgeom.cli import (
     audit_command,
     decide_command,
+    errata_command,
     grasp_command,
     parts_command,
     plan_command,
@@ -39,6 +40,7 @@ _COMMANDS = (
     verify_command,
     audit_command,
     table_command,
+    errata_command,
     parts_command,
     tilt_command,
 )
