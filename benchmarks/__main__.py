@@ -23,6 +23,8 @@ NAMES = (
     "start_up",
     "exhaustive",
     "actions_and_priors",
+    "html_report",
+    "pictures",
     "over_fields",
     "grasping",
     "decision",

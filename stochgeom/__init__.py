@@ -96,6 +96,17 @@ _NAMES = {
     "io.pomdp_file": "write_pomdp",
     "io.problem_json": "load_problem problem_document",
     "io.recordings": "load_recording",
+    "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
+    "plotting.axes": "save_figure",
+    "plotting.density_pictures": "draw_beta_density",
+    "plotting.function_pictures": (
+        "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "
+    ),
+    "plotting.pictures": (
+        "draw_closing draw_funnel draw_grasp draw_gripper draw_part draw_scooped_blocks "
+        "draw_sensed_blocks draw_sliding_jaw draw_stable_grasps draw_trace "
+        "draw_uncertain_grasp "
+    ),
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",
     "sensing.decisions": "Decisions",
     "sensing.diameter_sensor": "diameter_sensor",
@@ -152,3 +163,11 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
+
+
+def _renderers() -> Any:
+    return import_module(f"{__name__}.plotting.rich_display").RENDERERS
+
+
+# By name, like everything here; pictures are loaded when the first value is displayed.
+import_module(f"{__name__}.display").register_renderers(_renderers)

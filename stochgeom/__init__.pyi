@@ -125,6 +125,29 @@ from stochgeom.io.pomdp_file import write_pomdp as write_pomdp
 from stochgeom.io.problem_json import load_problem as load_problem
 from stochgeom.io.problem_json import problem_document as problem_document
 from stochgeom.io.recordings import load_recording as load_recording
+from stochgeom.plotting.analysis_pictures import draw_analysis as draw_analysis
+from stochgeom.plotting.analysis_pictures import draw_phase_one as draw_phase_one
+from stochgeom.plotting.analysis_pictures import (
+    draw_push_grasp_analysis as draw_push_grasp_analysis,
+)
+from stochgeom.plotting.axes import save_figure as save_figure
+from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
+from stochgeom.plotting.function_pictures import draw_diameter as draw_diameter
+from stochgeom.plotting.function_pictures import draw_distribution as draw_distribution
+from stochgeom.plotting.function_pictures import draw_preimages as draw_preimages
+from stochgeom.plotting.function_pictures import draw_radius as draw_radius
+from stochgeom.plotting.function_pictures import draw_step_function as draw_step_function
+from stochgeom.plotting.pictures import draw_closing as draw_closing
+from stochgeom.plotting.pictures import draw_funnel as draw_funnel
+from stochgeom.plotting.pictures import draw_grasp as draw_grasp
+from stochgeom.plotting.pictures import draw_gripper as draw_gripper
+from stochgeom.plotting.pictures import draw_part as draw_part
+from stochgeom.plotting.pictures import draw_scooped_blocks as draw_scooped_blocks
+from stochgeom.plotting.pictures import draw_sensed_blocks as draw_sensed_blocks
+from stochgeom.plotting.pictures import draw_sliding_jaw as draw_sliding_jaw
+from stochgeom.plotting.pictures import draw_stable_grasps as draw_stable_grasps
+from stochgeom.plotting.pictures import draw_trace as draw_trace
+from stochgeom.plotting.pictures import draw_uncertain_grasp as draw_uncertain_grasp
 from stochgeom.sensing.calibration import CalibrationProblem as CalibrationProblem
 from stochgeom.sensing.calibration import calibration_problem as calibration_problem
 from stochgeom.sensing.calibration import expected_entropy as expected_entropy

@@ -46,6 +46,19 @@ def add_parser(commands: Any) -> None:
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+    add_problem_options(parser)
+    parser.add_argument(
+        "--certificate",
+        metavar="FILE",
+        help="also write the optimal plan with its proof; stochgeom verify FILE checks it",
+    )
+    add_digits(parser)
+    parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
+    parser.set_defaults(run=run)
+
+
+def add_problem_options(parser: argparse.ArgumentParser) -> None:
+    """Add what says for which part and under which conditions to plan."""
     parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to plan for")
     parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
     parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
@@ -77,26 +90,12 @@ def add_parser(commands: Any) -> None:
         metavar="C",
         help="cost of the filter over the cost of an action, a rational >= 0; default 1",
     )
-    parser.add_argument(
-        "--certificate",
-        metavar="FILE",
-        help="also write the optimal plan with its proof; stochgeom verify FILE checks it",
-    )
-    add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Plan, print, return the exit code."""
     digits = read_digits(arguments.digits)
-    problem = FeedingProblem(
-        read_part(arguments),
-        arguments.action,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
-        gripper_error=arguments.gripper_error,
-        goal=arguments.goal,
-    )
+    problem = make_problem(arguments)
     cost_ratio = as_cost_ratio(arguments.cost_ratio)  # refused before the work, if it is bad
     with Progress("phase I: width of the last preimage, of a period") as progress:
         for preimage in problem.preimages:
@@ -110,6 +109,17 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         write(plan_text(problem, optimal, geometric, digits))
     return 0
+
+
+def make_problem(arguments: argparse.Namespace) -> FeedingProblem:
+    """Return the problem that the options of `add_problem_options` state."""
+    return FeedingProblem(
+        read_part(arguments),
+        arguments.action,
+        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        gripper_error=arguments.gripper_error,
+        goal=arguments.goal,
+    )
 
 
 def read_part(arguments: argparse.Namespace) -> Part:

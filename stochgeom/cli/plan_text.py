@@ -5,7 +5,7 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
-from stochgeom.cli.printed_ranges import as_printed, error_text
+from stochgeom.cli.printed_ranges import error_text
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.decimals import Rounding
@@ -132,7 +132,7 @@ def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str,
     """Return the angle of an action and what it works for, in words."""
     if action.low is None:
         return ("random", "any angle") if random else (action.angle.degrees(digits), "the prior")
-    angle, low, high = as_printed(action, action.low, digits)
+    angle, low, high = action.decimals(digits)
     return angle, f"({low}, {high}]"
 
 

@@ -1,36 +1,16 @@
-"""Angles and ranges printed so that they work as they stand, and what plans bear of error."""
+"""What is printed of the gripper error that plans bear."""
 
 from __future__ import annotations
 
 from gmpy2 import mpq
 
 from stochgeom.exact.angles import FULL_TURN, Angle
-from stochgeom.exact.decimals import Rounding, rational_decimal
-from stochgeom.feeding.actions import Action
+from stochgeom.feeding.actions import printed_margin
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
 
 MOST_DECIMALS = 12
 """A given angle is shown with so many decimals more than asked for, if it has no more."""
-
-
-def as_printed(action: Action, low: Angle, digits: int) -> tuple[str, str, str]:
-    """Return decimals that work as they stand, with more digits than asked for if need be.
-
-    The range is rounded inwards, and the angle lies inside the rounded range, with the gripper's
-    error to both sides: who types in what is printed gets a plan that works.
-    """
-    assert action.high is not None  # as there is a lower end
-    # It ends: a rational margin meets an end of the range only if it is an eighth of a turn or so,
-    # for ranges and angles are rational directions; such a meeting is seen in every decimal.
-    while True:
-        bottom = low.degrees(digits, Rounding.UP)
-        top = action.high.degrees(digits, Rounding.DOWN)
-        angle = action.angle.degrees(digits)
-        first, typed, last = (Angle.from_turns(mpq(text) / 360) for text in (bottom, angle, top))
-        if first < typed - action.margin and typed + action.margin <= last:
-            return angle, bottom, top
-        digits += 1
 
 
 def error_text(
@@ -50,7 +30,7 @@ def error_text(
         elif bound is None:
             lines.append(f"{name} has one turn, and an error of it moves the mouth.")
         else:
-            least, most = _printed_margin(plan, digits), bound.degrees(digits)
+            least, most = printed_margin(plan.actions, digits), bound.degrees(digits)
             middles = "" if least == most else f", and {most} at the middles of its ranges"
             line = f"{name} bears every gripper error below {least} degrees{middles}"
             if plan.prior is not None and not plan.gripper_error and plan.mouth.width != FULL_TURN:
@@ -78,13 +58,3 @@ def _largest_error(problem: FeedingProblem, *, complete: bool, digits: int) -> s
     lacking = "" if complete else f"No plan orients the part {how} with this error. "
     most = bound.degrees(digits)
     return f"{lacking}Plans that orient it {how} exist for every error below {most} degrees."
-
-
-def _printed_margin(plan: FeedingPlan, digits: int) -> str:
-    """Return the least distance of a printed angle from a printed end of its range."""
-    distances = []
-    for action in plan.actions:
-        if action.low is not None:
-            angle, low, high = map(mpq, as_printed(action, action.low, digits))
-            distances += [angle - low, high - angle]
-    return rational_decimal(min(distances), digits, Rounding.DOWN)

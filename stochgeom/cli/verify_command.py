@@ -12,12 +12,14 @@ from stochgeom.errors import FormatError, InputError, ReadError, VerificationErr
 from stochgeom.feeding import certificate_checker as checker
 from stochgeom.feeding import field_certificate_checker as any_checker
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
+from stochgeom.io.embedded import CERTIFICATE, find_block, is_page
 from stochgeom.io.load import load_part
 
 _EPILOG = """\
 examples:
 
   stochgeom verify plan.json
+  stochgeom verify report.html
   stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative --claims up-to-symmetry
   stochgeom verify --part house --center-of-mass "0,2/5" --action push-grasp --angles "0, 72, 207"
   stochgeom verify --part rectangle --angles "0, -45" --vertex-error 1/10
@@ -55,7 +57,7 @@ def add_parser(commands: Any) -> None:
         epilog=_EPILOG.format(path=checker.__file__, field_checker=Path(any_checker.__file__).name),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate")
+    parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate, or a report")
     parser.add_argument("--part", metavar="SOURCE", help="what the angles are for")
     parser.add_argument(
         "--angles",
@@ -136,7 +138,7 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
 
 def _verify_certificate(path: str, wants_json: bool) -> int:
     try:
-        document = any_checker.load(_read(path))
+        document = any_checker.load(_certificate_of(_read(path), path))
         any_checker.check(document)
     except checker.NoCertificateError as error:
         raise FormatError(
@@ -171,6 +173,20 @@ def _summary(document: dict[str, Any]) -> str:
     if plan["orients_up_to_symmetry"]:
         claims.append("the fewest that orient it up to symmetry")
     return f"{steps} for {name}" + (f": {', and '.join(claims)}" if claims else "")
+
+
+def _certificate_of(content: bytes, path: str) -> bytes:
+    """Return the content of a certificate, or the certificate that a report carries."""
+    if not is_page(content):
+        return content
+    found = find_block(content, CERTIFICATE)
+    if found is None:
+        raise FormatError(
+            "this page carries no certificate; accepted: what `stochgeom report` writes for a "
+            "plan that can be certified",
+            where=path,
+        )
+    return found
 
 
 def _read(path: str) -> bytes:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, final
 
 from gmpy2 import mpq
 
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.ratios import TurnRatio
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 @final
 @dataclass(frozen=True, slots=True)
-class Hyperstate:
+class Hyperstate(Displayed):
     """A distribution over finitely many orientations.
 
     Attributes

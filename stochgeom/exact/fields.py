@@ -261,7 +261,7 @@ def regular_polygon_field(n: int) -> RealField | None:
     """
     if not 3 <= n <= MAX_ORDER:
         raise NumberLimitError(
-            f"the field of the regular {n}-gon; accepted: 3 up to {MAX_ORDER} vertices"
+            f"the field of the regular {n}-gon; accepted: 3 to {MAX_ORDER} vertices"
         )
     if n == 4:
         return None

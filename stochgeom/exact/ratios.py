@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, final
 
 from gmpy2 import mpq
 
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.balls import Ball, certified_float, rational_ball
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 @final
 @total_ordering
 @dataclass(frozen=True, slots=True, eq=False)
-class TurnRatio:
+class TurnRatio(Displayed):
     """The exact positive number coefficient * a, or coefficient / a if `inverse`.
 
     Parameters

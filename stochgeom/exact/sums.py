@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol, final
 
 from gmpy2 import mpq, mpz
 
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import Ball, argument_ball, certified_float, rational_ball
 from stochgeom.exact.decimals import certified_decimal, decimal_if_clear, rational_decimal
@@ -64,7 +65,7 @@ class Probability(Protocol):
 
 @final
 @total_ordering
-class AngleSum:
+class AngleSum(Displayed):
     """The exact number constant + sum of q * a, with a the number of full turns of an angle.
 
     Parameters

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import final
 
+from gmpy2 import mpq
+
+from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.decimals import Rounding, rational_decimal
 from stochgeom.exact.directions import nominal_inside
 
 
@@ -43,3 +48,54 @@ class Action:
     def tolerance(self) -> Angle | None:
         """The width of the range; None if the angle is free."""
         return None if self.low is None or self.high is None else self.high - self.low
+
+    def decimals(self, digits: int = 4) -> tuple[str, str, str]:
+        """Return angle, low and high in degrees, so that the decimals work as they stand.
+
+        The range is rounded inwards, and the angle lies inside the rounded range with the margin
+        to both sides, with more digits than asked for if need be: who types in what is printed
+        gets a plan that works.
+
+        Raises
+        ------
+        InputError
+            If the action has no range.
+
+        Examples
+        --------
+        >>> Action(Angle(0, (3, 1)), Angle(0, (1, 3))).decimals(2)
+        ('45.00', '18.44', '71.56')
+        """
+        if self.low is None or self.high is None:
+            raise InputError(
+                f"the action at {self.angle} has no range; accepted: one with both ends"
+            )
+        # It ends: a rational margin meets an end of the range only if it is an eighth of a turn or
+        # so, for ranges and angles are rational directions; such a meeting is seen in every
+        # decimal.
+        while True:
+            low = self.low.degrees(digits, Rounding.UP)
+            high = self.high.degrees(digits, Rounding.DOWN)
+            angle = self.angle.degrees(digits)
+            first, typed, last = (Angle.from_turns(mpq(text) / 360) for text in (low, angle, high))
+            if first < typed - self.margin and typed + self.margin <= last:
+                return angle, low, high
+            digits += 1
+
+
+def printed_margin(actions: Iterable[Action], digits: int = 4) -> str | None:
+    """Return the least distance of a printed angle from a printed end of its range.
+
+    In degrees, rounded down; None if no action has a range.
+
+    Examples
+    --------
+    >>> printed_margin([Action(None, None), Action(Angle(0, (3, 1)), Angle(0, (1, 3)))])
+    '26.5650'
+    """
+    distances: list[mpq] = []
+    for action in actions:
+        if action.low is not None and action.high is not None:
+            angle, low, high = map(mpq, action.decimals(digits))
+            distances += [angle - low, high - angle]
+    return rational_decimal(min(distances), digits, Rounding.DOWN) if distances else None

@@ -19,6 +19,7 @@ uniform prior is a random turn; its value is 0 and it has no range.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -28,6 +29,7 @@ from gmpy2 import mpq
 
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.display import Displayed, render
 from stochgeom.errors import InputError, NoPlanError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
@@ -47,7 +49,7 @@ if TYPE_CHECKING:
 
 
 @final
-class FeedingPlan:
+class FeedingPlan(Displayed):
     """An open-loop plan and what it is worth.
 
     Made by `stochgeom.feeding.planner`; holds the preimages of 1, 2, ..., k steps.
@@ -304,6 +306,28 @@ class FeedingPlan:
             uniform prior, any final orientation and an exact gripper.
         """
         return certificate(self)
+
+    def to_html(self, path: str | os.PathLike[str], *, digits: int = 4) -> None:
+        """Write the plan as one HTML page: pictures, an animation, tolerances, the certificate.
+
+        The page asks for nothing from outside and needs no script; see
+        `stochgeom.plotting.report`.
+
+        Parameters
+        ----------
+        path : path
+            The file to write; what stands there is replaced, or left as it is after an error.
+        digits : int, default 4
+            Decimals after the point.
+
+        Raises
+        ------
+        WriteError
+            If the folder is missing or not writable.
+        InputError
+            If `digits` is not acceptable.
+        """
+        render(self, "report", path, digits=digits)
 
     def __repr__(self) -> str:
         name = f" for {self.part.name}" if self.part is not None and self.part.name else ""

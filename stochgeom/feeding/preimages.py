@@ -34,6 +34,7 @@ from typing import final
 
 import numpy as np
 
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
@@ -108,7 +109,7 @@ class Preimage:
 
 
 @final
-class Preimages:
+class Preimages(Displayed):
     """The preimages of a transfer function, computed as they are asked for.
 
     Iterating gives `Preimage` objects for 1, 2, ... steps and ends with the first whose width is

@@ -19,6 +19,7 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError, PriorError
 from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.ratios import TurnRatio
@@ -54,7 +55,7 @@ PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 
 @final
-class FeedingProblem:
+class FeedingProblem(Displayed):
     """A part and an action: one transfer function, one chain of preimages, many plans.
 
     Parameters

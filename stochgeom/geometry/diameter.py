@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.display import Displayed
 from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import HALF_TURN, Angle
 from stochgeom.exact.arcs import Arc
@@ -89,7 +90,7 @@ class Extrema:
 
 
 @final
-class DiameterFunction:
+class DiameterFunction(Displayed):
     """The diameter function of a part.  O(n log n).
 
     Parameters

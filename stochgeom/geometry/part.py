@@ -10,6 +10,7 @@ import gmpy2
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError, InvalidHoleError, InvalidPartError, NotRationalError
 from stochgeom.exact.algebraic import is_algebraic, simplified
 from stochgeom.exact.fields import RealField
@@ -21,7 +22,7 @@ from stochgeom.geometry.regular import regular_polygon
 
 
 @final
-class Part:
+class Part(Displayed):
     """A rigid planar part: a simple polygon, a centre of mass, a name.
 
     Parameters

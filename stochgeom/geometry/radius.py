@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.display import Displayed
 from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
@@ -70,7 +71,7 @@ class RadiusPiece:
 
 
 @final
-class RadiusFunction:
+class RadiusFunction(Displayed):
     """The radius function of a part about its centre of mass.  O(n) after the hull.
 
     Parameters

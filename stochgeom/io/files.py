@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from pathlib import Path
@@ -59,28 +60,39 @@ def decode_text(content: bytes) -> str:
         ) from None
 
 
-def write_whole(path: str, text: str) -> None:
-    """Write a text file so that it is never half there: beside the target, then renamed.
+def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
+    """Write text or bytes so that the file is never half there: beside the target, then renamed.
+
+    A link is followed. What is no file, such as a pipe or a terminal, is written to and never
+    replaced.
 
     Raises
     ------
     WriteError
         If the folder is missing or not writable; what stood there before still does.
     """
-    target = Path(path)
     temporary: str | None = None
     try:
+        data = content.encode("utf-8") if isinstance(content, str) else content
+        target = Path(path)
+        if target.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if target.exists() and not target.is_file():
+            target.write_bytes(data)
+            return
+        target = target.resolve()
         handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}-")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
         mask = os.umask(0)  # the only way to read it
         os.umask(mask)
         Path(temporary).chmod(0o666 & ~mask)
         Path(temporary).replace(target)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a link in a circle
         if temporary is not None:
             Path(temporary).unlink(missing_ok=True)
         reason = getattr(error, "strerror", None) or error
         raise WriteError(
-            f"cannot be written: {reason}; accepted: a file in a writable folder", where=path
+            f"cannot be written: {reason}; accepted: a file in a writable folder",
+            where=os.fspath(path),
         ) from error

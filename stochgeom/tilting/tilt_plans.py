@@ -133,12 +133,13 @@ def evaluate_tilt_plan(
     )
 
 
-def check_instance(model: TransitionModel, start: int, goal: int, most_tilts: int) -> None:
-    """Refuse states that do not exist and a negative number of tilts."""
+def check_instance(model: TransitionModel, start: int, goal: int, most_tilts: object) -> None:
+    """Refuse states that do not exist, and what is no number of tilts."""
     numbered(start, model.counts.states, "start")
     numbered(goal, model.counts.states, "goal")
-    if most_tilts < 0:
-        raise InputError(f"at most {most_tilts} tilts; accepted: 0 or more")
+    whole = isinstance(most_tilts, int) and not isinstance(most_tilts, bool)
+    if not whole or most_tilts < 0:  # type: ignore[operator]
+        raise InputError(f"at most {most_tilts!r} tilts; accepted: whole numbers from 0 on")
 
 
 def usable_actions(model: TransitionModel, *, observed_only: bool) -> tuple[int, ...]:

@@ -15,6 +15,7 @@ from typing import final
 
 from gmpy2 import mpq
 
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError, InvalidStepFunctionError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
@@ -25,7 +26,7 @@ from stochgeom.transfer.composition import composed_steps
 
 
 @final
-class StepFunction:
+class StepFunction(Displayed):
     """A monotone step map of the lifted circle.
 
     Parameters

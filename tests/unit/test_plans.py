@@ -168,3 +168,15 @@ def test_repr():
     )
     assert repr(ONE).startswith("<FeedingPlan for rectangle: 1 squeeze action, expected cost 4.79")
     assert repr(THREE).startswith("<FeedingPlan: 3 squeeze actions, ")
+
+
+def test_an_action_s_decimals_work_as_they_stand():
+    # The middle of a narrow range needs more digits than asked for.
+    narrow = Action(Angle.from_degrees("10.00001"), Angle.from_degrees("10.00004"))
+    angle, low, high = narrow.decimals(2)
+    assert (low, high) == ("10.00001", "10.00004")
+    assert mpq(low) < mpq(angle) <= mpq(high)
+    third = Action(Angle.from_degrees("100/3"), Angle.from_degrees("200/3"))
+    assert third.decimals(1)[1:] == ("33.4", "66.6")
+    with pytest.raises(InputError, match="has no range"):
+        Action(None, None).decimals()

@@ -133,6 +133,7 @@ class TestPlanners:
         "ask",
         [
             lambda: best_tilt_plan(MODEL, 1, 2, -1),
+            lambda: best_tilt_plan(MODEL, 1, 2, 1.5),
             lambda: best_tilt_plan(MODEL, 1, 2, 40),
             lambda: best_expected_tilt_plan(MODEL, 1, 2, 17),
             lambda: bounded_tilt_search(MODEL, 1, 2, node_limit=0),

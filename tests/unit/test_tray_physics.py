@@ -327,6 +327,10 @@ def test_a_trial_that_does_not_come_to_rest_is_named():
     hasty = SETUP.with_solver(limit_seconds=0.15)
     with pytest.raises(SimulationError, match=r"^seed 1, trial 0: not at rest after 0.15 s"):
         SimulatedRobot(hasty, seed=1).trials(5)
+    with pytest.raises(SimulationError) as caught:  # from another process
+        SimulatedRobot(hasty, seed=1).trials(60, jobs=2)
+    assert caught.value.where.startswith("seed 1, trial ")
+    assert caught.value.message.startswith("not at rest")
 
 
 def test_a_tile_outside_is_found():

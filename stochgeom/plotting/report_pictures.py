@@ -1,0 +1,101 @@
+"""The pictures of a report that only reports have: distributions in rows, ranges of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import ceil
+from typing import Final
+
+from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.exact.angles import Angle
+from stochgeom.feeding.actions import Action
+from stochgeom.plotting.curves import in_degrees
+from stochgeom.plotting.graph import TEXT, degree_ticks
+from stochgeom.plotting.scene import XY, Disc, Label, Line, Polygon, Scene, rectangle
+
+_LEFT: Final = 84.0
+_WIDTH: Final = 760.0
+_ROW: Final = 80.0
+_BAR_ROW: Final = 26.0
+_MOST_LABELS: Final = 16
+_LABEL_ROOM: Final = 26.0
+
+
+def distribution_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> Scene:
+    """Return the distribution after each action, a row each, as stems over 0 to 360 degrees.
+
+    Parameters
+    ----------
+    rows : sequence of (action, Hyperstate)
+        From the top.
+    goal : Angle
+        The accepted orientation: its stem is dark, the others light.
+    """
+    scene = Scene()
+    bottom = -_ROW * len(rows)
+    for x in degree_ticks(360.0):
+        px = _LEFT + _WIDTH * x / 360
+        scene.add(Line(((px, 0.0), (px, bottom)), "grid"))
+        scene.add(Label((px, bottom - 0.95 * TEXT), f"{x:g}°", TEXT))
+    for place, (action, state) in enumerate(rows):
+        base = -_ROW * (place + 1)
+        scene.add(Line(((_LEFT, base), (_LEFT + _WIDTH, base)), "frame"))
+        scene.add(Label((_LEFT - 20, base + 0.3 * _ROW), f"after {action}", TEXT, "end"))
+        _add_stems(scene, state, base, goal.reduced())
+    return scene
+
+
+def _add_stems(scene: Scene, state: Hyperstate, base: float, goal: Angle) -> None:
+    labelled = len(state) <= _MOST_LABELS
+    half = 4.0 if labelled else 1.8
+    written: list[XY] = []
+    for k, orientation in enumerate(state.orientations):
+        height = (_ROW - 3.1 * TEXT) * float(state.probability(k).decimal(4))
+        x = _LEFT + _WIDTH * in_degrees(orientation) / 360
+        style = "image" if orientation == goal else "bar"
+        scene.add(rectangle((x - half, base), (x + half, base + max(height, 0.8)), style))
+        if labelled:
+            y = _free_height(base + height + 0.75 * TEXT, x, written)
+            written.append((x, y))
+            scene.add(Label((x, y), state.probability(k).decimal(2), 0.9 * TEXT))
+
+
+def _free_height(y: float, x: float, written: Sequence[XY]) -> float:
+    """Return the least height from y on where a label at x touches none of those written."""
+    for left, other in sorted(written, key=lambda place: place[1]):
+        if x - left < _LABEL_ROOM and abs(y - other) < TEXT:
+            y = other + TEXT
+    return y
+
+
+def tolerance_scene(actions: Sequence[tuple[int, Action]]) -> Scene:
+    """Return the range of each action as a bar, with its nominal angle and the ends' kinds.
+
+    The axis runs over whole multiples of 90 degrees that hold all ranges.
+    """
+    scene = Scene()
+    ends = [in_degrees(end) for _, a in actions for end in (a.low, a.high) if end is not None]
+    low, high = 90 * int(min(ends, default=0) // 90), 90 * ceil(max(ends, default=90) / 90)
+    bottom = -_BAR_ROW * len(actions)
+
+    def at(degrees: float) -> float:
+        return _LEFT + _WIDTH * (degrees - low) / (high - low)
+
+    step = next(s for s in (15, 30, 45, 90, 180, 360, 720) if (high - low) / s <= 12 or s == 720)
+    for degrees in range(low, high + 1, step):
+        scene.add(Line(((at(degrees), 0.0), (at(degrees), bottom)), "grid"))
+        scene.add(Label((at(degrees), bottom - 0.95 * TEXT), f"{degrees}°", TEXT))
+    scene.add(rectangle((_LEFT, bottom), (_LEFT + _WIDTH, 0.0), "frame"))
+    for place, (number, action) in enumerate(actions):
+        y = -_BAR_ROW * (place + 0.5)
+        scene.add(Label((_LEFT - 8, y), f"action {number}", TEXT, "end"))
+        if action.low is None or action.high is None:
+            scene.add(Label((_LEFT + _WIDTH / 2, y), "any angle", TEXT))
+            continue
+        first, last = at(in_degrees(action.low)), at(in_degrees(action.high))
+        scene.add(rectangle((first, y - 6), (last, y + 6), "bar"))
+        scene.add(Disc((first, y), 3.2, "hollow"), Disc((last, y), 3.2, "closed"))
+        x = at(in_degrees(action.angle))
+        scene.add(Polygon(((x, y - 2), (x - 5, y - 11), (x + 5, y - 11)), "image"))
+        scene.add(Line(((x, y - 6), (x, y + 6)), "arrow"))
+    return scene

@@ -1,0 +1,102 @@
+"""What notebooks show of a value: the table that the facade registers.
+
+Small pictures and short tables; whoever wants more calls a drawing function or `to_html`.
+"""
+
+from __future__ import annotations
+
+import os
+from itertools import islice
+from typing import Final
+
+from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.display import Renderers
+from stochgeom.exact.ratios import TurnRatio
+from stochgeom.exact.sums import AngleSum
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.feeding.preimages import Preimages
+from stochgeom.geometry.diameter import DiameterFunction
+from stochgeom.geometry.part import Part
+from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.plotting.distributions import distribution_scene
+from stochgeom.plotting.function_scenes import bars_scene, step_scene, wave_scene
+from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.rich_html import MOST_PREIMAGES, plan_html, problem_html
+from stochgeom.plotting.svg import svg_document
+from stochgeom.transfer.step_function import StepFunction
+
+
+def part_svg(part: Part) -> str:
+    """Return a small picture of a part."""
+    name = part.name or "a part"
+    return svg_document(
+        part_scene(part),
+        title=name,
+        description=f"{name}: outline of {len(part)} vertices, convex hull, centre of mass",
+        scale=90.0,
+    )
+
+
+def step_function_svg(transfer: StepFunction) -> str:
+    """Return the graph of a step function over a full turn."""
+    return svg_document(
+        step_scene(transfer),
+        title=f"step function of {len(transfer)} steps in a period of {transfer.period}",
+        scale=1.0,
+    )
+
+
+def wave_svg(function: DiameterFunction | RadiusFunction) -> str:
+    """Return the graph of a diameter or radius function over a full turn."""
+    kind = "diameter" if isinstance(function, DiameterFunction) else "radius"
+    name = function.part.name or "a part"
+    return svg_document(wave_scene(function), title=f"{kind} function of {name}", scale=1.0)
+
+
+def preimages_svg(chain: Preimages) -> str:
+    """Return the preimages as bars; of a long chain the first."""
+    return svg_document(bars_scene(islice(chain, MOST_PREIMAGES)), title="preimages", scale=1.0)
+
+
+def hyperstate_svg(state: Hyperstate) -> str:
+    """Return the distribution as bars over a full turn."""
+    return svg_document(
+        distribution_scene(state),
+        title=f"a distribution over {len(state)} orientations",
+        description=", ".join(
+            f"{theta.degrees(2)} degrees: {share}"
+            for theta, share in list(zip(state.orientations, state.probabilities(), strict=True))[
+                :24
+            ]
+        ),
+        scale=44.0,
+    )
+
+
+def number_latex(number: TurnRatio | AngleSum) -> str:
+    """Return an exact probability or cost as a formula."""
+    import sympy
+
+    return f"$\\displaystyle {sympy.latex(number.to_sympy())}$"
+
+
+def plan_report(plan: FeedingPlan, path: str | os.PathLike[str], *, digits: int) -> None:
+    """Write a plan as a page; see `stochgeom.plotting.report`."""
+    from stochgeom.plotting.report import write_report
+
+    write_report(plan, path, digits=digits)
+
+
+RENDERERS: Final[Renderers] = {
+    ("AngleSum", "latex"): number_latex,
+    ("DiameterFunction", "svg"): wave_svg,
+    ("FeedingPlan", "html"): plan_html,
+    ("FeedingPlan", "report"): plan_report,
+    ("FeedingProblem", "html"): problem_html,
+    ("Hyperstate", "svg"): hyperstate_svg,
+    ("Part", "svg"): part_svg,
+    ("Preimages", "svg"): preimages_svg,
+    ("RadiusFunction", "svg"): wave_svg,
+    ("StepFunction", "svg"): step_function_svg,
+    ("TurnRatio", "latex"): number_latex,
+}

@@ -1,0 +1,163 @@
+"""Traces of a plan: part and gripper after each action, the distribution beside them.
+
+Drawn as a camera above the gripper sees it: the gripper stands at the sum of the turns so far, the
+part at its orientation relative to the gripper plus that sum. So every column shows the same
+motion of the gripper, which is the point of a plan without sensors (thesis Figs. 1.1, 4.5, 4.6,
+E.5, E.8).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from stochgeom.errors import InputError
+from stochgeom.exact.angles import Angle
+from stochgeom.exact.directions import nominal_angle
+from stochgeom.exact.shadows import shadow
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.plotting.arguments import expect
+from stochgeom.plotting.distributions import Strip, add_distribution, add_prior, add_scale
+from stochgeom.plotting.grasps import REACH, Pose, pose_shapes
+from stochgeom.plotting.scene import Label, Line, Scene, Shape, shown_degrees
+from stochgeom.plotting.silhouettes import Silhouette, silhouette
+from stochgeom.transfer.step_function import StepFunction
+
+MOST_COLUMNS: Final = 8
+CELL: Final = 2 * REACH + 0.2
+_SIZE: Final = 0.46
+_STRIP_WIDTH: Final = 9.0
+_MOST_CORNERS: Final = 150
+
+
+def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[Angle, ...]:
+    """Return an initial orientation inside every step of the first action, or inside some.
+
+    Inside the larger part of the step beside what it maps to, so that the part is seen to turn.
+
+    Examples
+    --------
+    >>> from stochgeom.feeding.planner import plan_feeding
+    >>> plan = plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)])
+    >>> [theta.degrees(1) for theta in typical_orientations(plan)]
+    ['26.6', '108.4', '206.6', '288.4']
+    """
+    if most < 1:
+        raise InputError(f"{most} traces; accepted: 1 or more")
+    transfer, first = plan.transfer, plan.angles[0]
+    count = len(transfer) * transfer.order
+    chosen = range(count) if count <= most else [count * k // most for k in range(most)]
+    found = [(_inside(transfer, k) + first).reduced() for k in chosen]
+    return tuple(sorted(found))
+
+
+def _inside(transfer: StepFunction, k: int) -> Angle:
+    """Return an orientation in the middle of step k, or of its larger part beside its value."""
+    start, end = transfer.lifted_breaks[k], transfer.lifted_breaks[k + 1]
+    value = transfer.lifted_values[k]
+    if not start < value < end:
+        return nominal_angle(start, end)
+    before = value - start > end - value
+    return nominal_angle(start, value) if before else nominal_angle(value, end)
+
+
+def trace_scene(
+    plan: FeedingPlan,
+    orientations: Sequence[Angle] | None = None,
+    *,
+    distribution: bool = True,
+    digits: int = 1,
+) -> Scene:
+    """Return the traces of a plan, a column for each initial orientation.
+
+    Parameters
+    ----------
+    plan : FeedingPlan
+        The plan of a part.
+    orientations : sequence of Angle, optional
+        Before the first action; default: `typical_orientations`.
+    distribution : bool
+        Whether the hyperstate after each action is drawn beside the poses.
+    digits : int
+        Decimals of the angles.
+
+    Raises
+    ------
+    InputError
+        If the plan is for a transfer function without a part.
+    """
+    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
+    if plan.part is None:
+        raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
+    chosen = typical_orientations(plan) if orientations is None else tuple(orientations)
+    if not chosen:
+        raise InputError("0 traces; accepted: 1 or more")
+    body = silhouette(plan.part, _MOST_CORNERS)
+    scene, gripper = Scene(), (0.0, *(shadow(angle) for angle in plan.cumulative_angles))
+    for column, theta in enumerate(chosen):
+        states = plan.execute(theta)
+        x = column * CELL
+        scene.add(Label((x, CELL / 2 + 0.3), shown_degrees(theta.degrees(digits)), _SIZE))
+        for row, state in enumerate(states):
+            shapes = _cell(plan, body, row, shadow(state), gripper[row])
+            scene.place(shapes, x, -row * CELL)
+        _final(scene, plan, states[-1], (x, -(plan.steps + 0.5) * CELL - 0.3), digits)
+    for row in range(plan.steps + 1):
+        _caption(scene, plan, row, digits)
+    right = (len(chosen) - 0.5) * CELL
+    if distribution:
+        _add_distributions(scene, plan, right + 0.8)
+    _separators(scene, plan.steps, right)
+    return scene
+
+
+def _cell(
+    plan: FeedingPlan, body: Silhouette, row: int, theta: float, gripper: float
+) -> list[Shape]:
+    pushing = plan.action_name == "push-grasp"
+    pose = Pose(body, theta, gripper, closed=row > 0, pushing=pushing)
+    return pose_shapes(pose)
+
+
+def _final(
+    scene: Scene, plan: FeedingPlan, state: Angle, at: tuple[float, float], digits: int
+) -> None:
+    """Write where a trace ends, heavily if it is where the plan's mouth ends."""
+    reached = state.reduced() == plan.final_orientation.reduced()
+    scene.add(Label(at, shown_degrees(state.reduced().degrees(digits)), _SIZE, bold=reached))
+
+
+def _caption(scene: Scene, plan: FeedingPlan, row: int, digits: int) -> None:
+    x, y = -CELL / 2 - 0.3, -row * CELL
+    if row == 0:
+        lines = ["before", "the first action"]
+    else:
+        angle = plan.angles[row - 1]
+        lines = [f"{plan.action_name} {row}", f"turned by {shown_degrees(angle.degrees(digits))}"]
+        if row == 1 and plan.actions[0].tolerance is None and plan.prior is None:
+            lines[1] = "any angle, here 0°"
+        if row > 2 or (row == 2 and plan.angles[0]):
+            total = plan.cumulative_angles[row - 1]
+            lines.append(f"gripper at {shown_degrees(total.degrees(digits))}")
+    for k, line in enumerate(lines):
+        place = (x, y + (len(lines) - 1 - 2 * k) * 0.62 * _SIZE)
+        scene.add(Label(place, line, _SIZE, "end", bold=row > 0 and k == 0))
+
+
+def _add_distributions(scene: Scene, plan: FeedingPlan, left: float) -> None:
+    def strip(row: int) -> Strip:
+        return Strip(left, -row * CELL - 0.36 * CELL, _STRIP_WIDTH, 0.62 * CELL)
+
+    heading = "probability of each orientation relative to the gripper"
+    scene.add(Label((left, CELL / 2 + 0.3), heading, 0.8 * _SIZE, "start"))
+    add_prior(scene, strip(0), plan.prior, _SIZE)
+    for row, outcome in enumerate(plan.outcomes(), start=1):
+        add_distribution(scene, strip(row), outcome.hyperstate(), _SIZE)
+    add_scale(scene, strip(plan.steps), 0.8 * _SIZE)
+
+
+def _separators(scene: Scene, steps: int, right: float) -> None:
+    left = -CELL / 2
+    for row in range(steps):
+        y = -(row + 0.5) * CELL
+        scene.shapes.insert(0, Line(((left, y), (right, y)), "rule"))

@@ -1,0 +1,143 @@
+"""Pictures of any part tell the truth: places in degrees, widths, areas, labels apart."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from stochgeom.exact.angles import HALF_TURN
+from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.geometry.diameter import DiameterFunction
+from stochgeom.plotting.curves import bars_of, in_degrees, steps_of, turns_for, wave_of
+from stochgeom.plotting.distributions import spread
+from stochgeom.plotting.function_scenes import analysis_scene
+from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
+from stochgeom.plotting.grasp_scenes import contact_word, reached_from, stable_scene
+from stochgeom.plotting.silhouettes import silhouette
+from stochgeom.plotting.svg import svg_document
+from stochgeom.plotting.trace_scenes import trace_scene, typical_orientations
+from tests.scene_checks import overlapping_labels, parsed
+from tests.strategies import angles, parts, pushable_parts, transfer_functions
+
+few = settings(max_examples=60)
+"""A scene of a whole plan costs milliseconds, the pairs of its labels more."""
+
+
+@given(transfer_functions())
+@settings(max_examples=200)
+def test_steps_cover_the_range_and_have_the_values_of_the_function(transfer):
+    steps = steps_of(transfer)
+    assert steps.starts[0] == 0
+    assert steps.ends[-1] == 360
+    assert (steps.starts[1:] == steps.ends[:-1]).all()
+    assert (steps.starts < steps.ends).all()
+    first = transfer.step_at(transfer.period * 0)
+    for k, value in enumerate(steps.values):
+        assert value == pytest.approx(in_degrees(transfer.lifted_values[first + k]))
+
+
+@given(transfer_functions())
+@settings(max_examples=200)
+def test_bars_are_as_wide_as_they_say(transfer):
+    bars = bars_of(FeedingProblem.of_transfer(transfer).preimages)
+    turns = turns_for(bars)
+    for shorter, longer in pairwise(bars):
+        assert shorter.end - shorter.start < longer.end - longer.start
+    for bar in bars:
+        assert bar.end - bar.start == pytest.approx(float(bar.width_text), abs=0.005001)
+        assert bar.start >= 0
+        assert bar.end <= 360 * turns + 1e-9
+
+
+@given(parts())
+@settings(max_examples=200)
+def test_the_height_between_the_jaws_is_the_diameter(part):
+    """The silhouette is scaled by one factor for all orientations."""
+    function, body = DiameterFunction(part), silhouette(part)
+    thetas = np.linspace(0, np.pi, 7)
+    heights = np.array([(b := body.turned(t)).top - b.bottom for t in thetas])
+    ratio = function.evaluate(thetas) / heights
+    assert ratio == pytest.approx(np.full(7, ratio[0]))
+
+
+@given(parts())
+@settings(max_examples=200)
+def test_marks_stand_on_the_curve_at_its_extrema(part):
+    wave = wave_of(DiameterFunction(part))
+    assert wave.at_minima.min() == pytest.approx(wave.y.min())
+    assert wave.at_maxima.max() >= wave.y.max() - 1e-9 * wave.y.max()
+    assert (np.diff(wave.x) > 0).all()
+
+
+@given(parts(), angles())
+@settings(max_examples=200)
+def test_what_is_stable_is_left_as_it_is(part, theta):
+    problem = FeedingProblem(part)
+    stays = problem.transfer(theta) == theta
+    assert (contact_word(part, theta) == "stable") == stays
+    (final,) = reached_from(part, theta, HALF_TURN * 0)
+    assert final == problem.transfer(theta)
+
+
+@given(pushable_parts(), st.sampled_from(["squeeze", "push-grasp"]))
+@few
+def test_funnels_feed_into_each_other(part, action):
+    plan = FeedingProblem(part, action).geometric_plan()
+    funnels = funnels_of(plan)
+    for funnel in funnels:
+        a, b = funnel.mouth
+        assert b - a == pytest.approx(in_degrees(funnel.mouth_width))
+        assert funnel.foot[1] - funnel.foot[0] == pytest.approx(in_degrees(funnel.foot_width))
+    for above, below in pairwise(funnels):
+        assert below.mouth[0] < above.foot[0] + 1e-9
+        assert above.foot[1] < below.mouth[1] + 1e-9
+
+
+@given(pushable_parts(), st.sampled_from(["squeeze", "push-grasp"]))
+@few
+def test_traces_start_in_different_steps_and_end_as_executed(part, action):
+    plan = FeedingProblem(part, action).optimal_plan()
+    found = typical_orientations(plan)
+    assert len({plan.transfer.step_at(theta - plan.angles[0]) for theta in found}) == len(found)
+    labels = trace_scene(plan).labels()
+    for theta in found:
+        final = plan.execute(theta)[-1].reduced().degrees(1)
+        assert f"{final}°" in labels
+
+
+@given(pushable_parts(), st.sampled_from(["squeeze", "push-grasp"]))
+@settings(max_examples=25)
+def test_labels_stand_apart_and_svg_is_well_formed(part, action):
+    problem = FeedingProblem(part, action)
+    plan = problem.geometric_plan()
+    for scene in (
+        trace_scene(plan),
+        funnel_scene(plan),
+        stable_scene(part),
+        analysis_scene(problem.transfer, problem.preimages),
+    ):
+        assert overlapping_labels(scene) == []
+        assert len(parsed(svg_document(scene, title="any"))) == len(scene.shapes) + 2
+
+
+places = st.lists(st.tuples(st.integers(0, 40), st.integers(1, 6)), max_size=8)
+
+
+@given(places)
+def test_spread_labels_keep_their_order_and_do_not_overlap(rows):
+    centers, widths = [float(c) for c, _ in sorted(rows)], [float(w) for _, w in sorted(rows)]
+    found = spread(centers, widths, 0.0, 40.0)
+    if found is None:
+        assert sum(widths) > 40
+        return
+    edges = [(x - w / 2, x + w / 2) for x, w in zip(found, widths, strict=True)]
+    assert all(a[1] <= b[0] + 1e-9 for a, b in pairwise(edges))
+    assert all(low >= -1e-9 and high <= 40 + 1e-9 for low, high in edges)
+    apart = all(c + (w + v) / 2 <= d for (c, w), (d, v) in pairwise(sorted(rows)))
+    inside = all(w / 2 <= c <= 40 - w / 2 for c, w in rows)
+    if apart and inside:
+        assert found == centers  # nothing moves without need

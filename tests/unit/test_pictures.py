@@ -1,0 +1,332 @@
+"""Pictures on matplotlib axes: what is on them, the same bytes each time, clear errors."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+
+import numpy as np
+import pytest
+
+import stochgeom as sg
+from stochgeom.errors import (
+    CenterOfMassError,
+    FloatRefusedError,
+    InputError,
+    InvalidPartError,
+    MissingExtraError,
+    WriteError,
+)
+from stochgeom.plotting.density_pictures import beta_density, beta_moments
+
+RECTANGLE = [(0, 0), (3, 0), (3, 2), (0, 2)]
+NUT = sg.Part.regular(6)
+
+DRAWINGS = {
+    "draw_analysis": lambda ax: sg.draw_analysis(sg.FeedingProblem(RECTANGLE), ax and [ax] * 3)[0],
+    "draw_beta_density": lambda ax: sg.draw_beta_density(4, 1, ax),
+    "draw_closing": lambda ax: sg.draw_closing(NUT, 15, ax),
+    "draw_diameter": lambda ax: sg.draw_diameter(RECTANGLE, ax),
+    "draw_distribution": lambda ax: sg.draw_distribution(
+        sg.plan_feeding(RECTANGLE).distribution(), ax
+    ),
+    "draw_funnel": lambda ax: sg.draw_funnel(sg.plan_feeding(RECTANGLE), ax),
+    "draw_grasp": lambda ax: sg.draw_grasp(RECTANGLE, "12.5", ax),
+    "draw_gripper": lambda ax: sg.draw_gripper(ax, sliding=True),
+    "draw_part": lambda ax: sg.draw_part(RECTANGLE, ax),
+    "draw_phase_one": lambda ax: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 2, ax),
+    "draw_preimages": lambda ax: sg.draw_preimages(sg.squeeze_function(RECTANGLE), ax),
+    "draw_push_grasp_analysis": lambda ax: sg.draw_push_grasp_analysis(RECTANGLE, ax and [ax] * 6)[
+        0
+    ],
+    "draw_radius": lambda ax: sg.draw_radius(RECTANGLE, ax),
+    "draw_scooped_blocks": lambda ax: sg.draw_scooped_blocks([1, 1], [1, 1], ax),
+    "draw_sensed_blocks": lambda ax: sg.draw_sensed_blocks([1, 1], [1, 2], ax),
+    "draw_sliding_jaw": lambda ax: sg.draw_sliding_jaw(NUT, 20, ax),
+    "draw_stable_grasps": lambda ax: sg.draw_stable_grasps(RECTANGLE, ax),
+    "draw_step_function": lambda ax: sg.draw_step_function(sg.squeeze_function(RECTANGLE), ax),
+    "draw_trace": lambda ax: sg.draw_trace(sg.plan_feeding(RECTANGLE), ax),
+    "draw_uncertain_grasp": lambda ax: sg.draw_uncertain_grasp(RECTANGLE, 20, "15", ax),
+}
+
+SEVERAL_GRAPHS = {"draw_analysis", "draw_push_grasp_analysis"}
+
+
+def test_every_drawing_function_is_tested():
+    assert set(DRAWINGS) == {name for name in sg.__all__ if name.startswith("draw_")}
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_without_matplotlib_the_extra_is_named(name, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingExtraError, match=r"stochgeom\[plot\]"):
+        DRAWINGS[name](None)
+
+
+def test_saving_without_matplotlib_names_the_extra_too(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingExtraError, match=r"stochgeom\[plot\]"):
+        sg.save_figure(None, tmp_path / "a.svg")
+
+
+class TestOnAxes:
+    @pytest.fixture(autouse=True)
+    def _matplotlib(self):
+        pytest.importorskip("matplotlib")
+        import matplotlib as mpl
+
+        mpl.use("Agg")
+        yield
+        import matplotlib.pyplot as plt
+
+        plt.close("all")
+
+    @staticmethod
+    def axes(width=6.4, height=4.8):
+        from matplotlib.figure import Figure
+
+        return Figure(figsize=(width, height)).subplots()
+
+    @pytest.mark.parametrize("name", DRAWINGS)
+    def test_axes_given_are_drawn_on_and_returned(self, name):
+        ax = self.axes()
+        assert DRAWINGS[name](ax) is ax
+        assert ax.has_data() or ax.patches
+        import matplotlib.pyplot as plt
+
+        assert plt.get_fignums() == []  # nothing of its own
+
+    @pytest.mark.parametrize(
+        ("name", "ending"),
+        [*((name, "svg") for name in DRAWINGS), ("draw_grasp", "png"), ("draw_diameter", "pdf")],
+    )
+    def test_the_same_picture_is_the_same_bytes(self, name, ending, tmp_path):
+        paths = [tmp_path / f"{k}.{ending}" for k in (1, 2)]
+        for path in paths:
+            sg.save_figure(DRAWINGS[name](None), path, dpi=40)
+        first, second = (path.read_bytes() for path in paths)
+        assert first == second
+        assert b"Matplotlib v" not in first  # versions would differ from one machine to the next
+        assert b"dc:date" not in first
+        assert b"CreationDate" not in first
+
+    # --- what is drawn ---------------------------------------------------------------------------
+
+    def test_bars_stand_where_the_preimages_are(self):
+        chain = sg.preimages(sg.squeeze_function(RECTANGLE))
+        ax = sg.draw_preimages(chain, self.axes())
+        ends = [(bar.get_x(), bar.get_x() + bar.get_width()) for bar in ax.patches]
+        exact = [(float(p.arc.start.degrees(9)), float(p.arc.end.degrees(9))) for p in chain]
+        assert np.array(ends) == pytest.approx(np.array(exact))
+        assert [tick.get_text() for tick in ax.get_yticklabels()] == ["1", "2"]
+        top, bottom = ax.get_ylim()[1], ax.get_ylim()[0]
+        assert top < bottom  # the first preimage is on top
+
+    def test_push_grasps_get_two_turns(self):
+        part = sg.catalogue_part("4gon")
+        axes = sg.draw_analysis(sg.FeedingProblem(part, "push-grasp"))
+        assert [ax.get_xlim() for ax in axes] == [(0, 720)] * 3
+        assert [ax.get_ylabel() for ax in axes] == ["radius", "push-grasp", "actions"]
+
+    def test_a_problem_without_a_part_has_two_graphs(self):
+        problem = sg.FeedingProblem.of_transfer(sg.squeeze_function(RECTANGLE))
+        assert len(sg.draw_analysis(problem)) == 2
+
+    def test_angle_axes_are_in_degrees(self):
+        ax = sg.draw_step_function(sg.squeeze_function(RECTANGLE), self.axes())
+        assert [t.get_text() for t in ax.get_xticklabels()][::2] == [
+            "0°", "90°", "180°", "270°", "360°"
+        ]  # fmt: skip
+        assert "270°" in [t.get_text() for t in ax.get_yticklabels()]
+
+    def test_negative_values_have_a_true_minus(self):
+        s = sg.StepFunction([sg.ZERO], [sg.Angle.from_degrees(-100)])
+        ax = sg.draw_step_function(s, self.axes())
+        assert "−90°" in [t.get_text() for t in ax.get_yticklabels()]
+
+    def test_steps_are_drawn_with_their_ends(self):
+        ax = sg.draw_step_function(sg.squeeze_function(RECTANGLE), self.axes())
+        segments = ax.collections[1].get_segments()
+        assert [segment[0][1] for segment in segments] == [0, 90, 180, 270, 360]
+        hollow, filled = ax.lines[1], ax.lines[2]
+        assert len(hollow.get_xdata()) == len(filled.get_xdata()) == 4
+        assert hollow.get_markerfacecolor() != filled.get_markerfacecolor()
+
+    def test_many_steps_are_not_marked(self):
+        ax = sg.draw_step_function(sg.squeeze_function(sg.Part.regular(41)), self.axes())
+        assert len(ax.lines) == 1
+
+    def test_extrema_of_the_diameter(self):
+        ax = sg.draw_diameter(RECTANGLE, self.axes())
+        _, minima, maxima = ax.lines
+        assert minima.get_xdata().tolist() == [0, 90, 180, 270, 360]
+        assert maxima.get_ydata() == pytest.approx([13**0.5] * 4)
+
+    def test_phase_one_draws_the_square_of_the_widest_arc(self):
+        transfer = sg.squeeze_function(RECTANGLE)
+        ax = sg.draw_phase_one(transfer, 2, self.axes())
+        squares = [p for p in ax.patches if p.get_width() == p.get_height()]
+        heavy = max(squares, key=lambda square: square.get_linewidth())
+        assert len(squares) == 4
+        assert heavy.get_xy() == pytest.approx((56.30993247, 90))
+        assert heavy.get_width() == pytest.approx(112.61986495)
+        first = sg.draw_phase_one(transfer, 1, self.axes())
+        assert first.lines[-1].get_ydata().tolist() == [180]
+
+    def test_a_grasp_says_what_holds(self):
+        ax = sg.draw_grasp(RECTANGLE, 0, self.axes())
+        assert ax.texts[-1].get_text() == "0.00°: stable"
+        ax = sg.draw_grasp(RECTANGLE, sg.Angle(0, (2, 1)), self.axes())
+        assert ax.texts[-1].get_text() == "26.57°: wedged"
+
+    def test_text_is_never_mathematics(self):
+        """A part's name or a prior's words may hold dollar signs."""
+        from stochgeom.plotting.axes import draw_scene
+        from stochgeom.plotting.scene import Label, Scene
+
+        ax = draw_scene(Scene([Label((0, 0), "$\\frac{$", 1.0)]), self.axes())
+        ax.get_figure().draw_without_rendering()
+        assert ax.texts[0].get_text() == "$\\frac{$"
+
+    def test_letters_fit_smaller_axes(self):
+        large = sg.draw_grasp(RECTANGLE, 0, self.axes(8, 8)).texts[0].get_fontsize()
+        small = sg.draw_grasp(RECTANGLE, 0, self.axes(2, 2)).texts[0].get_fontsize()
+        assert large == pytest.approx(4 * small)
+
+    @pytest.mark.parametrize("name", sorted({*DRAWINGS} - SEVERAL_GRAPHS))
+    def test_labels_do_not_overlap_as_drawn(self, name):
+        assert overlaps(DRAWINGS[name](self.axes(4.8, 3.2))) == []
+
+    def test_labels_of_several_graphs_do_not_overlap(self):
+        part = sg.catalogue_part("4gon")
+        for axes in (
+            sg.draw_analysis(sg.FeedingProblem(part, "push-grasp")),
+            sg.draw_push_grasp_analysis(part),
+        ):
+            for ax in axes:
+                assert overlaps(ax) == []
+
+    # --- the Beta density ------------------------------------------------------------------------
+
+    @pytest.mark.parametrize(
+        ("parameters", "printed"),
+        [
+            ((1, 1), "mean 0.500, variance 0.083"),
+            (("0.1", "0.1"), "mean 0.500, variance 0.208"),
+            ((16, 16), "mean 0.500, variance 0.008"),
+            ((4, 1), "mean 0.200, variance 0.027"),
+        ],
+    )
+    def test_figures_g_1_to_g_4(self, parameters, printed):
+        assert printed in sg.draw_beta_density(*parameters, self.axes()).get_title()
+
+    @pytest.mark.parametrize("parameters", [(1, 1), (16, 16), (4, 1), ("2.5", 3)])
+    def test_the_density_has_the_exact_moments(self, parameters):
+        p = (np.arange(200_000) + 0.5) / 200_000
+        density = beta_density(*parameters, p) / 200_000
+        mean, variance = beta_moments(*parameters)
+        assert density.sum() == pytest.approx(1)
+        assert (density * p).sum() == pytest.approx(float(mean))
+        assert (density * (p - float(mean)) ** 2).sum() == pytest.approx(float(variance))
+
+    # --- bad input -------------------------------------------------------------------------------
+
+    @pytest.mark.parametrize(
+        ("call", "error", "message"),
+        [
+            (
+                lambda: sg.draw_part(RECTANGLE, "axes"),
+                InputError,
+                "'axes' is of type str, not Axes",
+            ),
+            (lambda: sg.draw_trace(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
+            (lambda: sg.draw_funnel(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
+            (lambda: sg.draw_funnel(sg.plan_feeding(RECTANGLE), prior="30"), InputError, "Prior"),
+            (lambda: sg.draw_step_function(RECTANGLE), InputError, "not StepFunction"),
+            (lambda: sg.draw_analysis(RECTANGLE), InputError, "not FeedingProblem"),
+            (lambda: sg.draw_phase_one(RECTANGLE, 1), InputError, "no StepFunction"),
+            (lambda: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 0), InputError, "0 steps"),
+            (lambda: sg.draw_distribution(RECTANGLE), InputError, "not Hyperstate"),
+            (lambda: sg.draw_preimages(RECTANGLE), InputError, "not Preimage"),
+            (lambda: sg.draw_preimages(7), InputError, "not Iterable"),
+            (lambda: sg.draw_preimages([]), InputError, "0 preimages"),
+            (lambda: sg.draw_diameter(RECTANGLE, turns=0), InputError, "0 turns; accepted: whole"),
+            (lambda: sg.draw_radius(RECTANGLE, turns="2"), InputError, "'2' turns"),
+            (
+                lambda: sg.draw_step_function(sg.squeeze_function(RECTANGLE), turns=11),
+                InputError,
+                "11 turns; accepted: whole numbers from 1 to 10",
+            ),
+            (lambda: sg.draw_scooped_blocks([1, 1], ["a", 0]), InputError, "place 'a'"),
+            (lambda: sg.save_figure(RECTANGLE, "a.png"), InputError, "no picture"),
+            (lambda: sg.draw_part("house"), InvalidPartError, "is text"),
+            (lambda: sg.draw_part([(0, 0), (1, 1)]), InvalidPartError, "accepted"),
+            (lambda: sg.draw_grasp(RECTANGLE, 12.5), FloatRefusedError, "degrees: .*12.5"),
+            (lambda: sg.draw_beta_density(0, 1), InputError, "alpha 1: 0; accepted: positive"),
+            (lambda: sg.draw_beta_density(1, "-1/2"), InputError, "alpha 2"),
+            (lambda: sg.draw_radius(sg.Part(RECTANGLE, (9, 9))), CenterOfMassError, "inside"),
+            (
+                lambda: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 3),
+                InputError,
+                "3 steps; accepted: 1 to 2",
+            ),
+            (
+                lambda: sg.draw_analysis(sg.FeedingProblem(RECTANGLE), []),
+                InputError,
+                "0 axes; accepted: 3",
+            ),
+            (
+                lambda: sg.draw_push_grasp_analysis(RECTANGLE, []),
+                InputError,
+                "0 axes; accepted: 6",
+            ),
+        ],
+    )
+    def test_bad_input(self, call, error, message):
+        with pytest.raises(error, match=message):
+            call()
+
+    @pytest.mark.parametrize("name", ["picture.bmp", "picture", "picture.svg.gz"])
+    def test_other_endings_are_refused(self, name, tmp_path):
+        with pytest.raises(InputError, match=r"accepted: \.pdf, \.png, \.svg"):
+            sg.save_figure(sg.draw_gripper(), tmp_path / name)
+
+    def test_a_missing_folder(self, tmp_path):
+        with pytest.raises(WriteError, match="writable folder"):
+            sg.save_figure(sg.draw_gripper(), tmp_path / "no" / "a.png")
+
+    def test_after_an_error_the_old_file_stands(self, tmp_path, monkeypatch):
+        path = tmp_path / "a.svg"
+        path.write_text("old")
+        monkeypatch.setattr("pathlib.Path.replace", no_room)
+        with pytest.raises(WriteError, match="no room"):
+            sg.save_figure(sg.draw_gripper(), path)
+        assert path.read_text() == "old"
+        assert [p.name for p in tmp_path.iterdir()] == ["a.svg"]
+
+    def test_a_file_is_readable_by_those_the_mask_allows(self, tmp_path):
+        path = sg.save_figure(sg.draw_gripper(), tmp_path / "a.SVG")
+        mask = os.umask(0)
+        os.umask(mask)
+        assert stat.S_IMODE(path.stat().st_mode) == 0o666 & ~mask
+
+
+def no_room(*_):
+    raise OSError(28, "no room")
+
+
+def overlaps(ax) -> list[tuple[str, str]]:
+    """Return the pairs of texts on axes, ticks included, whose drawn boxes share space."""
+    ax.get_figure().draw_without_rendering()
+    texts = [t for t in (*ax.texts, *ax.get_xticklabels(), *ax.get_yticklabels()) if t.get_text()]
+    if not ax.axison:
+        texts = list(ax.texts)
+    boxes = [(text.get_text(), text.get_window_extent()) for text in texts]
+    return [
+        (a, b)
+        for k, (a, one) in enumerate(boxes)
+        for b, other in boxes[k + 1 :]
+        if min(one.x1, other.x1) - max(one.x0, other.x0) > 0.5
+        and min(one.y1, other.y1) - max(one.y0, other.y0) > 0.5
+    ]
