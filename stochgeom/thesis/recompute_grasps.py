@@ -18,7 +18,8 @@ from stochgeom.grasping.push_stability import PushStability
 from stochgeom.grasping.pushing_model import density_after_push, pushing_bound
 from stochgeom.grasping.pushing_over_friction import PushingBound
 from stochgeom.grasping.regular import regular_bound
-from stochgeom.thesis.appendix_e import Evolution, figure_e_5
+from stochgeom.thesis.appendix_e import figure_e_5
+from stochgeom.thesis.evolutions import Evolution
 from stochgeom.thesis.facts import Fact, Facts, equal, fraction, half_unit, places
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from stochgeom.thesis.tables import Cell

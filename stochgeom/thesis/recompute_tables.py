@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Final
 
 from gmpy2 import mpq
 
@@ -13,7 +12,6 @@ from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.pushing_model import pushing_bound
-from stochgeom.thesis.appendix_e import Probability
 from stochgeom.thesis.appendix_g import FIGURES_G
 from stochgeom.thesis.chapter_6 import (
     FIGURE_6_4_COPY,
@@ -24,18 +22,12 @@ from stochgeom.thesis.chapter_6 import (
     recover_counts,
 )
 from stochgeom.thesis.errata import TABLE_4_1, TABLE_C_1
+from stochgeom.thesis.evolutions import Probability
 from stochgeom.thesis.facts import Fact, Facts, equal, fraction, half_unit, places
+from stochgeom.thesis.figures_4 import FIGURE_4_6
 from stochgeom.thesis.grasp_tables import FRICTIONS, table_c_1
 from stochgeom.thesis.parts import catalogue_entry, catalogue_part
 from stochgeom.tilting.beta_density import BetaDensity
-
-FIGURE_4_6: Final = (
-    ("0.12", "0.14", "0.11", "0.13") * 2,
-    ("0.00", "0.25", "0.00", "0.25") * 2,
-    ("0.00", "0.25", "0.25", "0.00") * 2,
-    ("0.00", "0.50", "0.00", "0.00") * 2,
-)
-"""The printed distributions of the 4gon after a random squeeze and three more."""
 
 
 def four_gon_at_three_steps() -> Facts:
@@ -46,7 +38,7 @@ def four_gon_at_three_steps() -> Facts:
     half a turn on, 6 is 2). A random squeeze and these two are a plan of three steps.
     """
     erratum = TABLE_4_1["4gon", 3]
-    first, merged, last = FIGURE_4_6[0], FIGURE_4_6[1], FIGURE_4_6[3]
+    first, merged, _, last = FIGURE_4_6.rows
     shares = [fraction(share) for share in first[:4]]
     error = half_unit(first[0])
     runs = [shares[1] + shares[2] + shares[3], shares[3] + shares[0] + shares[1]]
