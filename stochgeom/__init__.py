@@ -121,6 +121,7 @@ _NAMES = {
     "sensing.sensors": "Sensor",
     "thesis.appendix_g": "FIGURES_G",
     "thesis.chapter_6": "PRINTED_PLANS figure_6_4_model",
+    "thesis.errata_register": "find_errata",
     "thesis.parts": "catalogue_names catalogue_part",
     "tilting.all_plans": "best_tilt_plan best_tilt_plans",
     "tilting.beta_density": "BetaDensity",

@@ -172,6 +172,7 @@ from stochgeom.sensing.sensors import Sensor as Sensor
 from stochgeom.thesis.appendix_g import FIGURES_G as FIGURES_G
 from stochgeom.thesis.chapter_6 import PRINTED_PLANS as PRINTED_PLANS
 from stochgeom.thesis.chapter_6 import figure_6_4_model as figure_6_4_model
+from stochgeom.thesis.errata_register import find_errata as find_errata
 from stochgeom.thesis.parts import catalogue_names as catalogue_names
 from stochgeom.thesis.parts import catalogue_part as catalogue_part
 from stochgeom.tilting.all_plans import best_tilt_plan as best_tilt_plan

@@ -204,6 +204,17 @@ class TestBadInput:
             assert "accepted: a writable folder" in capsys.readouterr().err
         assert (tmp_path / "file").read_text() == "mine"
 
+    def test_a_folder_that_is_not_writable(self, tmp_path, capsys, monkeypatch):
+        def refuse(**_):
+            raise PermissionError(13, "Permission denied")
+
+        monkeypatch.setattr("stochgeom.cli.reproduce_files.tempfile.mkdtemp", refuse)
+        assert main(["reproduce", "4.1", "-o", str(tmp_path / "new" / "er")]) == 2
+        captured = capsys.readouterr()
+        assert "Permission denied; accepted: a writable folder" in captured.err
+        assert captured.err.count("\n") == 1
+        assert entries(tmp_path) == []
+
     def test_a_folder_in_the_way_leaves_everything_as_it_was(self, tmp_path, capsys):
         (tmp_path / "table-4.1.txt").mkdir()
         assert main(["reproduce", "4.1", "-o", str(tmp_path)]) == 2
