@@ -137,7 +137,7 @@ _NAMES = {
     ),
     "tilting.robot": "SimulatedRobot",
     "tilting.shortest_path": "likeliest_tilts shortest_path_tilt_plan",
-    "tilting.states": "TilePose draw_tile_pose tile_state",
+    "tilting.states": "TilePose random_tile_pose tile_state",
     "tilting.tilt_plans": "TiltPlan evaluate_tilt_plan",
     "tilting.tray": "TraySetup",
     "tilting.uncertain_plans": "best_expected_tilt_plan expected_probability",

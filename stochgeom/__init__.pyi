@@ -200,7 +200,7 @@ from stochgeom.tilting.robot import SimulatedRobot as SimulatedRobot
 from stochgeom.tilting.shortest_path import likeliest_tilts as likeliest_tilts
 from stochgeom.tilting.shortest_path import shortest_path_tilt_plan as shortest_path_tilt_plan
 from stochgeom.tilting.states import TilePose as TilePose
-from stochgeom.tilting.states import draw_tile_pose as draw_tile_pose
+from stochgeom.tilting.states import random_tile_pose as random_tile_pose
 from stochgeom.tilting.states import tile_state as tile_state
 from stochgeom.tilting.tilt_plans import TiltPlan as TiltPlan
 from stochgeom.tilting.tilt_plans import evaluate_tilt_plan as evaluate_tilt_plan

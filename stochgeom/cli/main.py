@@ -12,6 +12,7 @@ import os
 import re
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Any, NoReturn
 
 import stochgeom.errors as errors
@@ -48,6 +49,19 @@ _COMMANDS = (
     parts_command,
     tilt_command,
 )
+_COMMANDS = {
+    "plan": lambda: import_module("stochgeom.cli.plan_command"),
+    "grasp": lambda: import_module("stochgeom.cli.grasp_command"),
+    "decide": lambda: import_module("stochgeom.cli.decide_command"),
+    "sense": lambda: import_module("stochgeom.cli.sense_command"),
+    "report": lambda: import_module("stochgeom.cli.report_command"),
+    "verify": lambda: import_module("stochgeom.cli.verify_command"),
+    "audit": lambda: import_module("stochgeom.cli.audit_command"),
+    "table": lambda: import_module("stochgeom.cli.table_command"),
+    "parts": lambda: import_module("stochgeom.cli.parts_command"),
+    "tilt": lambda: import_module("stochgeom.cli.tilt_command"),
+}
+"""Each in a module of its own, loaded only if it is the one called: a start is half imports."""
 
 # Options whose value may begin with a minus: argparse would take "-1,2" for an option.
 _SIGNED_VALUE = re.compile(r"-(?:[0-9.]|inf|nan)", re.IGNORECASE)
@@ -94,7 +108,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str]) -> int:
     try:
-        parsed = build_parser().parse_args(join_signed_values(arguments))
+        parser = build_parser(arguments[0] if arguments else None)
+        parsed = parser.parse_args(join_signed_values(arguments))
         code: int = parsed.run(parsed)
         return code
     except SystemExit as stop:  # argparse has printed the help or the version
@@ -103,8 +118,8 @@ def _run(arguments: Sequence[str]) -> int:
         return _report(error, wants_json="--json" in arguments)
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """Return the parser of the whole command."""
+def build_parser(called: str | None = None) -> argparse.ArgumentParser:
+    """Return the parser of the command called; of all of them if it is none of them."""
     from stochgeom.cli.version import VERSION_TEXT
 
     parser = _Parser(
@@ -114,8 +129,8 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=VERSION_TEXT)
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for command in _COMMANDS:
-        command.add_parser(commands)
+    for name in [called] if called in _COMMANDS else _COMMANDS:
+        _COMMANDS[name]().add_parser(commands)
     return parser
 
 

@@ -149,11 +149,15 @@ def _study_text(study: dict[int, Calibration]) -> str:
 
 def run_grasp(arguments: argparse.Namespace) -> int:
     """Grasp with both grippers, print, return the exit code."""
+    from stochgeom.grasping.squeeze_stability import SqueezeStability
     from stochgeom.io.load import load_part
     from stochgeom.tilting.gripper import SimulatedGripper, random_grasps
 
     part = load_part(arguments.source)
-    friction = float(parse_rational(arguments.friction, where="--friction"))
+    exact_friction = parse_rational(arguments.friction, where="--friction")
+    # Between fixed jaws a random squeeze ends stable unless it begins, or ends, wedged.
+    exact = 1 - SqueezeStability(part, exact_friction).wedged.measure
+    friction = float(exact_friction)
     trials, seed = read_count(arguments.trials, "--trials"), read_count(arguments.seed, "--seed", 0)
     found: dict[str, GraspShare] = {}
     with Progress("grasps") as progress:
@@ -173,17 +177,19 @@ def run_grasp(arguments: argparse.Namespace) -> int:
                 "trials": trials,
                 "seed": seed,
                 "stable": [found["both jaws fixed"].stable, found["one jaw slides"].stable],
+                "exact_share": [exact.decimal(6), "1.000000"],
             },
             indent=None,
         )
     else:
-        write(_grasp_text(part.name or "the part", arguments.friction, found))
+        shares = [exact.decimal(3), "1.000"]
+        write(_grasp_text(part.name or "the part", arguments.friction, found, shares))
     return 0
 
 
-def _grasp_text(name: str, friction: str, found: dict[str, GraspShare]) -> str:
+def _grasp_text(name: str, friction: str, found: dict[str, GraspShare], exact: list[str]) -> str:
     rows = []
-    for gripper, share in found.items():
+    for (gripper, share), truth in zip(found.items(), exact, strict=True):
         low, high = share.interval()
         rows.append(
             [
@@ -191,11 +197,13 @@ def _grasp_text(name: str, friction: str, found: dict[str, GraspShare]) -> str:
                 f"{share.stable} of {len(share.grasps)}",
                 f"{share.share:.3f}",
                 f"{low:.3f} to {high:.3f}",
+                truth,
             ]
         )
     return (
         f"{name}, friction {friction}: grasps at random orientations that end with an edge flush"
         "\n\n"
-        + table(["gripper", "stable", "share", "95 % interval"], rows, left=[0, 3])
-        + "\n\nThe source counted 126 of 250 and 250 of 250, with several shapes."
+        + table(["gripper", "stable", "share", "95 % interval", "exact"], rows, left=[0, 3])
+        + "\n\nExact: the share that friction cones give (stochgeom grasp)."
+        "\nThe source counted 126 of 250 and 250 of 250, with several shapes."
     )

@@ -150,12 +150,14 @@ def _dashes(style: Style) -> Any:
     return (0, tuple(length / style.width for length in style.dash))
 
 
-def save_figure(picture: Axes | Figure, path: str | os.PathLike[str], *, dpi: int = 200) -> Path:
+def save_figure(
+    picture: Axes | tuple[Axes, ...] | Figure, path: str | os.PathLike[str], *, dpi: int = 200
+) -> Path:
     """Write the figure of a picture: the same bytes every time, whole or not at all.
 
     Parameters
     ----------
-    picture : Axes or Figure
+    picture : Axes, tuple of Axes, or Figure
         What a drawing function returned.
     path : path
         Ending in ``.svg``, ``.pdf`` or ``.png``.
@@ -186,7 +188,9 @@ def save_figure(picture: Axes | Figure, path: str | os.PathLike[str], *, dpi: in
     if kind not in FORMATS:
         accepted = ", ".join(f".{name}" for name in FORMATS)
         raise InputError(f"a picture file that ends in {target.suffix!r}; accepted: {accepted}")
-    figure: Any = picture.get_figure(root=True) if hasattr(picture, "get_figure") else picture
+    # What draws several graphs returns the axes of all of them.
+    one: Any = picture[0] if isinstance(picture, tuple) and picture else picture
+    figure: Any = one.get_figure(root=True) if hasattr(one, "get_figure") else one
     if not hasattr(figure, "savefig"):
         raise InputError(f"{picture!r:.60} is no picture; accepted: Axes or a Figure of matplotlib")
     content = BytesIO()

@@ -20,7 +20,14 @@ import numpy as np
 from stochgeom.errors import SimulationError, TrayError
 from stochgeom.tilting.counts import OTHER, Outcome, TransitionCounts, Trial, numbered
 from stochgeom.tilting.physics import Tilt, load_engine, slide_tile
-from stochgeom.tilting.states import ACTIONS, STATES, TilePose, azimuth, draw_tile_pose, tile_state
+from stochgeom.tilting.states import (
+    ACTIONS,
+    STATES,
+    TilePose,
+    azimuth,
+    random_tile_pose,
+    tile_state,
+)
 from stochgeom.tilting.tray import TraySetup
 
 Job: TypeAlias = "tuple[TraySetup, int, int, tuple[int, ...], range]"
@@ -138,7 +145,7 @@ def run_trial(
     random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=key))
     state = start or int(random.integers(1, STATES + 1))
     tilts = tuple(actions) if start else (int(random.integers(1, ACTIONS + 1)),)
-    pose = draw_tile_pose(setup, state, random)
+    pose = random_tile_pose(setup, state, random)
     for action in tilts:
         pose = tilt_once(setup, pose, action, random)
     return (state, *(() if start else tilts), tile_state(setup, pose))

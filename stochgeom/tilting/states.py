@@ -162,7 +162,7 @@ def tile_state(setup: TraySetup, pose: TilePose) -> Outcome:
     return _NUMBERS.get((right, up, horizontal), OTHER)
 
 
-def draw_tile_pose(setup: TraySetup, state: int, random: np.random.Generator) -> TilePose:
+def random_tile_pose(setup: TraySetup, state: int, random: np.random.Generator) -> TilePose:
     """Draw a pose in a state: uniform along a side, and up to `placing_gap` from the walls."""
     place = CANONICAL[state - 1]
     half_x, half_y = half_sizes(setup, horizontal=place.horizontal)

@@ -11,6 +11,7 @@ import pytest
 from stochgeom.errors import MissingExtraError, SimulationError, TrayError
 from stochgeom.exact.angles import Angle
 from stochgeom.geometry.part import Part
+from stochgeom.grasping.squeeze_stability import SqueezeStability
 from stochgeom.thesis.parts import catalogue_part
 from stochgeom.tilting.gripper import (
     SimulatedGripper,
@@ -110,6 +111,13 @@ def test_the_share_of_a_rectangle_in_closed_form():
     for friction in (0.05, 0.1, 0.25):
         expected = 1 - 8 * math.atan(friction) / (2 * math.pi)
         assert exact_stable_share(RECTANGLE, friction) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("part", [RECTANGLE, HOUSE, HEXAGON, LOPSIDED], ids=lambda part: part.name)
+@pytest.mark.parametrize("friction", ["0.1", "0.25", "0.7"])
+def test_the_share_is_that_of_the_squeeze_stability_diagram(part, friction):
+    exact = 1 - SqueezeStability(part, friction).wedged.measure
+    assert exact_stable_share(part, float(friction)) == pytest.approx(float(exact))
 
 
 @pytest.mark.parametrize("part", [RECTANGLE, HOUSE, HEXAGON], ids=lambda part: part.name)

@@ -248,7 +248,7 @@ class TestGrasp:
         ("arguments", "message"),
         [
             (["nothing"], "nothing: neither a part of the catalogue nor a file"),
-            (["house", "--friction", "-1"], "friction: -1.0; accepted: 0 or more"),
+            (["house", "--friction", "-1"], "friction -1 is negative; accepted: 0 or more"),
             (["house", "--friction", "much"], "--friction: 'much' is not a number"),
             (["house", "--trials", "0"], "--trials: '0'; accepted"),
         ],

@@ -111,6 +111,12 @@ class TestOnAxes:
         assert b"dc:date" not in first
         assert b"CreationDate" not in first
 
+    def test_graphs_that_are_drawn_together_are_saved_together(self, tmp_path):
+        for pick, name in ((slice(None), "all.svg"), (-1, "one.svg")):
+            graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
+            sg.save_figure(graphs[pick], tmp_path / name)
+        assert (tmp_path / "all.svg").read_bytes() == (tmp_path / "one.svg").read_bytes()
+
     # --- what is drawn ---------------------------------------------------------------------------
 
     def test_bars_stand_where_the_preimages_are(self):

@@ -22,9 +22,9 @@ from stochgeom.tilting.states import (
     CANONICAL,
     TilePose,
     azimuth,
-    draw_tile_pose,
     quarter_turn_action,
     quarter_turn_state,
+    random_tile_pose,
     tile_state,
 )
 from stochgeom.tilting.tray import GRAVITY, Solver, TraySetup, setup_from_texts
@@ -40,12 +40,12 @@ FLAT = Tilt(azimuth=0.0, angle=0.0, support_friction=0.1, wall_friction=0.7)
 def test_a_pose_drawn_in_a_state_is_in_it(state):
     random = np.random.default_rng(state)
     for _ in range(200):
-        assert tile_state(SETUP, draw_tile_pose(SETUP, state, random)) == state
+        assert tile_state(SETUP, random_tile_pose(SETUP, state, random)) == state
 
 
 @pytest.mark.parametrize("state", range(1, 13))
 def test_a_half_turned_tile_looks_the_same(state):
-    pose = draw_tile_pose(SETUP, state, np.random.default_rng(1))
+    pose = random_tile_pose(SETUP, state, np.random.default_rng(1))
     for turns in (-2, -1, 1, 3):
         assert tile_state(SETUP, pose._replace(angle=pose.angle + turns * math.pi)) == state
 
@@ -94,7 +94,7 @@ def test_four_quarter_turns_are_none():
 def test_turning_the_tray_turns_poses_and_tilts():
     random = np.random.default_rng(4)
     for state in range(1, 13):
-        x, y, angle = draw_tile_pose(SETUP, state, random)
+        x, y, angle = random_tile_pose(SETUP, state, random)
         assert tile_state(SETUP, TilePose(-y, x, angle + math.pi / 2)) == quarter_turn_state(state)
         turned = azimuth(quarter_turn_action(state)) - azimuth(state)
         assert turned % 360 == 90
@@ -237,7 +237,7 @@ def test_without_friction_a_slanted_tilt_ends_in_the_lowest_corner(action):
 def test_every_trial_ends_inside_and_at_rest():
     random = np.random.default_rng(0)
     for number in range(120):
-        pose = draw_tile_pose(SETUP, number % 12 + 1, random)
+        pose = random_tile_pose(SETUP, number % 12 + 1, random)
         rest = slide_tile(SETUP, pose, vary(SETUP, number // 12 + 1, random))
         assert rest.speed < SETUP.solver.rest_speed
         assert rest.seconds >= SETUP.solver.rest_seconds
