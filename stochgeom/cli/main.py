@@ -16,39 +16,11 @@ from importlib import import_module
 from typing import Any, NoReturn
 
 import stochgeom.errors as errors
-from stochgeom.cli import (
-    audit_command,
-    decide_command,
-    errata_command,
-    grasp_command,
-    parts_command,
-    plan_command,
-    report_command,
-    reproduce_command,
-    sense_command,
-    table_command,
-    tilt_command,
-    verify_command,
-)
 from stochgeom.cli.output import write_json
 from stochgeom.io.rings import showable
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 0, 1, 2, 130
 
-_COMMANDS = (
-    plan_command,
-    grasp_command,
-    decide_command,
-    sense_command,
-    report_command,
-    verify_command,
-    audit_command,
-    table_command,
-    reproduce_command,
-    errata_command,
-    parts_command,
-    tilt_command,
-)
 _COMMANDS = {
     "plan": lambda: import_module("stochgeom.cli.plan_command"),
     "grasp": lambda: import_module("stochgeom.cli.grasp_command"),
@@ -58,6 +30,8 @@ _COMMANDS = {
     "verify": lambda: import_module("stochgeom.cli.verify_command"),
     "audit": lambda: import_module("stochgeom.cli.audit_command"),
     "table": lambda: import_module("stochgeom.cli.table_command"),
+    "reproduce": lambda: import_module("stochgeom.cli.reproduce_command"),
+    "errata": lambda: import_module("stochgeom.cli.errata_command"),
     "parts": lambda: import_module("stochgeom.cli.parts_command"),
     "tilt": lambda: import_module("stochgeom.cli.tilt_command"),
 }

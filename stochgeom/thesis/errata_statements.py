@@ -20,9 +20,8 @@ HOUSE_DENSITY: Final = Erratum(
     "one centre of mass for each part",
     "the house has its centre of mass at (0, 0) in Tables 3.1 and C.1 and at the mean of its "
     "vertices, (0, 2/5), in Fig. E.8",
-    "the points that give the printed cells of the tables and those that give the printed "
-    "distribution have none in common, and the centroid of a uniform house, (0, 4/15), is in "
-    "neither set",
+    "of a grid of points over the house none gives both the printed cells of the tables and the "
+    "printed distribution, and the centroid of a uniform house, (0, 4/15), gives neither",
 )
 
 TEXT_OF_4_8: Final = Erratum(
