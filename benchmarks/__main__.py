@@ -31,6 +31,7 @@ NAMES = (
     "sensor_trees",
     "tilting",
     "field_certificates",
+    "reproduction",
 )
 
 

@@ -16,103 +16,27 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
-from dataclasses import dataclass
 from multiprocessing import get_context
 from statistics import fmean, median
 from time import perf_counter
 from typing import TypeVar
 
-import numpy as np
-
 from benchmarks.report import Report
-from stochgeom import Part, preimages, squeeze_function
 from stochgeom.cli.progress import Progress
-from stochgeom.feeding.action_classes import action_classes
-from stochgeom.feeding.eppstein import eppstein
-from stochgeom.feeding.exhaustive import NODE_LIMIT, first_disagreement, search_plans
-from stochgeom.geometry.hull import convex_hull
-from stochgeom.geometry.points import Points
+from stochgeom.feeding.exhaustive import NODE_LIMIT
+from stochgeom.thesis.random_parts import (
+    COMPARISON_LIMIT,
+    SEED,
+    SOURCE_COMPARED,
+    SOURCE_PARTS,
+    comparison,
+    search_trial,
+)
 
 Result = TypeVar("Result")
 
-SEED = 1990
-POINTS = 10
-SIDE = 10**6
-"""Side of the square: coordinates are whole numbers."""
-
-SOURCE_PARTS = 2000
-SOURCE_COMPARED = 1000
-COMPARISON_LIMIT = 1_000_000
-"""Nodes for the comparison: as good as no limit."""
-
 TARGET = 300.0
 """Seconds for the 2000 parts on two cores."""
-
-
-def random_hull(index: int, seed: int = SEED) -> Part:
-    """Return the hull of 10 random points of a square, the same for the same two numbers."""
-    pairs = np.random.default_rng((seed, index)).integers(0, SIDE, (POINTS, 2))
-    return Part(convex_hull(Points.from_pairs(pairs)).points.pairs())
-
-
-@dataclass(frozen=True)
-class Trial:
-    """What the search for the optimal plan of one part took."""
-
-    sides: int
-    states: int
-    steps: int
-    """Steps of the optimal plan."""
-    solved: bool
-    generated: int
-    distinct: int
-    in_tree: int
-    """Nodes of the same levels if duplicates were expanded again: the whole tree."""
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """How far all plans of one part were gone through, and whether the others agree."""
-
-    lengths: int
-    """Plan lengths that were compared."""
-    solved: bool
-    agrees: bool
-    shortest: int
-    """Steps of the shortest plan up to symmetry."""
-
-
-def search_trial(index: int) -> Trial:
-    """Search for the optimal plan at a cost ratio of 1, as in section 4.8."""
-    part = random_hull(index)
-    transfer = squeeze_function(part)
-    found = search_plans(transfer, cost_ratio=1, node_limit=NODE_LIMIT, count_duplicates=False)
-    branches = len(found.classes)
-    return Trial(
-        len(part.hull),
-        len(transfer),
-        found.optimal_steps(1),
-        found.solved,
-        found.generated,
-        found.distinct,
-        sum(branches**level for level in range(len(found.lengths))),
-    )
-
-
-def comparison(index: int) -> Comparison:
-    """Compare every plan length with phase I and the shortest plan with Eppstein's."""
-    transfer = squeeze_function(random_hull(index))
-    chain = preimages(transfer)
-    found = search_plans(transfer, node_limit=COMPARISON_LIMIT)
-    shortest = len(list(chain))
-    word = eppstein(action_classes(transfer).automaton())
-    same = first_disagreement(found, chain) is None
-    return Comparison(
-        sum(length.complete for length in found.lengths),
-        found.solved,
-        same and word is not None and len(word) + 1 == shortest,
-        shortest,
-    )
 
 
 def run(*, quick: bool = False) -> Report:

@@ -122,6 +122,7 @@ _NAMES = {
     "thesis.appendix_e": "figure_e_5 figure_e_8",
     "thesis.appendix_g": "FIGURES_G",
     "thesis.chapter_6": "PRINTED_PLANS figure_6_4_model",
+    "thesis.errata_register": "find_errata",
     "thesis.grasp_tables": "table_3_1 table_c_1",
     "thesis.parts": "catalogue_names catalogue_part",
     "thesis.sensor_orders": "sensor_orders",

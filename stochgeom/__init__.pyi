@@ -174,6 +174,7 @@ from stochgeom.thesis.appendix_e import figure_e_8 as figure_e_8
 from stochgeom.thesis.appendix_g import FIGURES_G as FIGURES_G
 from stochgeom.thesis.chapter_6 import PRINTED_PLANS as PRINTED_PLANS
 from stochgeom.thesis.chapter_6 import figure_6_4_model as figure_6_4_model
+from stochgeom.thesis.errata_register import find_errata as find_errata
 from stochgeom.thesis.grasp_tables import table_3_1 as table_3_1
 from stochgeom.thesis.grasp_tables import table_c_1 as table_c_1
 from stochgeom.thesis.parts import catalogue_names as catalogue_names

@@ -232,5 +232,13 @@ class UnknownPartError(InputError):
     """The catalogue has no part of that name."""
 
 
+class UnknownErratumError(InputError):
+    """The register of errata has none of that number or text."""
+
+
+class UnknownReproductionError(InputError):
+    """No table, figure or section of that name can be recomputed."""
+
+
 class MissingExtraError(StochgeomError, ImportError):
     """An optional dependency is not installed; the message names the extra that brings it."""

@@ -1,12 +1,12 @@
-"""Figs. E.5 and E.8 for people and for machines: the evolution of a distribution under a plan."""
+"""Figs. 4.5, 4.6, E.5 and E.8, for people and for machines: distributions under a plan."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from stochgeom.cli.layout import table
-from stochgeom.thesis.appendix_e import Evolution
 from stochgeom.thesis.errata import Erratum
+from stochgeom.thesis.evolutions import Evolution
 from stochgeom.thesis.tables import Cell, Shown
 
 
@@ -32,8 +32,9 @@ def evolution_text(evolution: Evolution, digits: int) -> str:
         f"  {steps}-step plan: {shown(cost)}" for steps, cost in enumerate(evolution.costs, start=1)
     ]
     name = evolution.plan.part.name if evolution.plan.part is not None else ""
+    what = f"{evolution.plan.action_name}s of the {name}"
     lines = [
-        f"Fig. {evolution.figure}: push-grasps of the {name}; gripper angles, middles of ranges",
+        f"Fig. {evolution.figure}: {what}; gripper angles, middles of ranges",
         "computed [printed]; a note tells why a printed value does not hold",
         "",
         "Probability of each orientation after each action, in degrees:",

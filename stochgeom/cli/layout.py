@@ -32,9 +32,11 @@ def count(number: int, noun: str) -> str:
 
     Examples
     --------
-    >>> count(1, "squeeze"), count(2, "filter pass")
-    ('1 squeeze', '2 filter passes')
+    >>> count(1, "squeeze"), count(2, "filter pass"), count(3, "erratum")
+    ('1 squeeze', '2 filter passes', '3 errata')
     """
     if number == 1:
         return f"1 {noun}"
+    if noun == "erratum":
+        return f"{number} errata"
     return f"{number} {noun}es" if noun.endswith(("s", "sh", "ch")) else f"{number} {noun}s"

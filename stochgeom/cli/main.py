@@ -30,6 +30,8 @@ _COMMANDS = {
     "verify": lambda: import_module("stochgeom.cli.verify_command"),
     "audit": lambda: import_module("stochgeom.cli.audit_command"),
     "table": lambda: import_module("stochgeom.cli.table_command"),
+    "reproduce": lambda: import_module("stochgeom.cli.reproduce_command"),
+    "errata": lambda: import_module("stochgeom.cli.errata_command"),
     "parts": lambda: import_module("stochgeom.cli.parts_command"),
     "tilt": lambda: import_module("stochgeom.cli.tilt_command"),
 }

@@ -12,12 +12,13 @@ from stochgeom.cli.layout import table
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
+from stochgeom.thesis.figures_4 import figure_4_5, figure_4_6
 from stochgeom.thesis.grasp_tables import table_3_1, table_c_1
 from stochgeom.thesis.tables import STEPS, Cell, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
 _GRASP_TABLES = {"3.1": table_3_1, "C.1": table_c_1}
-_FIGURES = {"E.5": figure_e_5, "E.8": figure_e_8}
+_FIGURES = {"4.5": figure_4_5, "4.6": figure_4_6, "E.5": figure_e_5, "E.8": figure_e_8}
 
 
 def add_parser(commands: Any) -> None:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Final, final
 
 from stochgeom.sensing.sensing_problem import OrderComparison, SensingProblem
+from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.thesis.parts import catalogue_part
 
 PARTS: Final = ("rectangle", "4gon", "house")
@@ -46,11 +47,15 @@ class OrderRow:
     noise: str
     costs: OrderComparison
 
-    def decimals(self, digits: int = 4) -> tuple[str, ...]:
-        """Return the costs: no look; look first; look last; two moves of any kind."""
+    @property
+    def plans(self) -> tuple[SensorPlan, ...]:
+        """The plans: no look; look first; look last; two moves of any kind."""
         found = self.costs
-        plans = (found.blind, found.sense_then_act, found.act_then_sense, found.mixed)
-        return tuple(plan.decimal(digits) for plan in plans)
+        return (found.blind, found.sense_then_act, found.act_then_sense, found.mixed)
+
+    def decimals(self, digits: int = 4) -> tuple[str, ...]:
+        """Return the costs of the plans."""
+        return tuple(plan.decimal(digits) for plan in self.plans)
 
 
 def sensor_orders(squeezes: int = 1) -> tuple[OrderRow, ...]:

@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchmarks.exhaustive import in_parallel, random_hull, search_trial
+from benchmarks.exhaustive import in_parallel
 from stochgeom.decision.costs import length_bound, theorem_4_1_bound
 from stochgeom.errors import CostError, InputError
 from stochgeom.exact.angles import ZERO, Angle
@@ -21,6 +21,7 @@ from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.preimages import Preimages, preimages
 from stochgeom.feeding.propagation import outcomes
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
+from stochgeom.thesis.random_parts import random_hull, search_trial
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import circle_parts, hulls, parts, squeezes, step_functions
 

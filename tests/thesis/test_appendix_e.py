@@ -18,15 +18,9 @@ from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part
-from stochgeom.thesis.appendix_e import (
-    Evolution,
-    HalfAngle,
-    Probability,
-    figure_e_5,
-    figure_e_8,
-    push_grasp_analysis,
-)
+from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8, push_grasp_analysis
 from stochgeom.thesis.errata import APPENDIX_E
+from stochgeom.thesis.evolutions import Evolution, HalfAngle, Probability
 from stochgeom.thesis.parts import catalogue_entry, catalogue_names, catalogue_part
 from stochgeom.thesis.tables import Cell
 from stochgeom.transfer.step_function import StepFunction

@@ -1,0 +1,212 @@
+"""The figures of Goldberg (1990) that are drawn here, by name, and those that are not yet.
+
+Drawings of the source did not survive in the copies at hand; parts are those of the catalogue, and
+where the source does not name a part one of them stands in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Final, final
+
+from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.feeding.planner import plan_feeding
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.geometry.part import Part
+from stochgeom.plotting.analysis_pictures import (
+    draw_analysis,
+    draw_phase_one,
+    draw_push_grasp_analysis,
+)
+from stochgeom.plotting.axes import need_matplotlib
+from stochgeom.plotting.density_pictures import draw_beta_density
+from stochgeom.plotting.function_pictures import (
+    draw_diameter,
+    draw_radius,
+    draw_step_function,
+)
+from stochgeom.plotting.pictures import (
+    draw_closing,
+    draw_funnel,
+    draw_gripper,
+    draw_scooped_blocks,
+    draw_sensed_blocks,
+    draw_sliding_jaw,
+    draw_stable_grasps,
+    draw_trace,
+    draw_uncertain_grasp,
+)
+from stochgeom.sensing.sensing_problem import SensingProblem
+from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
+from stochgeom.thesis.figures_4 import figure_4_6
+from stochgeom.thesis.parts import catalogue_part
+from stochgeom.transfer.push import push_function
+from stochgeom.transfer.squeeze import squeeze_function
+from stochgeom.transfer.step_function import StepFunction
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Drawing = Callable[[], "Axes | str"]
+
+SQUARE: Final = ((0, 0), (1, 0), (1, 1), (0, 1))
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class SourceFigure:
+    """A figure of the source that can be drawn.
+
+    Attributes
+    ----------
+    name, title : str
+        Such as ``"fig4.6"``, and what it shows.
+    draw : callable
+        Returns axes of a new figure, or the text of an SVG picture.
+    """
+
+    name: str
+    title: str
+    draw: Drawing
+
+
+def _first(axes: tuple[Axes, ...]) -> Axes:
+    return axes[0]
+
+
+def _plan(name: str) -> FeedingPlan:
+    return FeedingProblem(catalogue_part(name)).geometric_plan()
+
+
+def _traces_of_the_rectangle() -> Axes:
+    return draw_trace(_plan("rectangle"), orientations=["20", "75", "130", "165"])
+
+
+def _two_axes() -> tuple[Axes, Axes]:
+    """Return axes one under the other."""
+    need_matplotlib()
+    import matplotlib.pyplot as plt
+
+    _, (top, bottom) = plt.subplots(2, figsize=(6.4, 6.4), layout="constrained")
+    return top, bottom
+
+
+def _diameter_and_squeeze() -> Axes:
+    top, bottom = _two_axes()
+    draw_diameter(catalogue_part("4gon"), top)
+    draw_step_function(squeeze_function(catalogue_part("4gon")), bottom, name="squeeze")
+    return top
+
+
+def _radius_and_push() -> Axes:
+    top, bottom = _two_axes()
+    draw_radius(catalogue_part("4gon"), top)
+    draw_step_function(push_function(catalogue_part("4gon")), bottom, name="push")
+    return top
+
+
+def _squeezes(name: str) -> StepFunction:
+    return squeeze_function(catalogue_part(name))
+
+
+def _analysis(name: str) -> Axes:
+    return _first(draw_analysis(FeedingProblem(catalogue_part(name))))
+
+
+def _push_grasp_analysis(name: str) -> Axes:
+    return _first(draw_push_grasp_analysis(catalogue_part(name, appendix="E")))
+
+
+def _push_preimages(name: str) -> Axes:
+    problem = FeedingProblem(catalogue_part(name, appendix="E"), "push-grasp")
+    return _first(draw_analysis(problem))
+
+
+def _sensor_tree() -> str:
+    """Return the SVG text of the tree of one look at the jaws and one squeeze of the 4gon."""
+    problem = SensingProblem(catalogue_part("4gon"), 2, "0.05")
+    return problem.compare_orders(1).sense_then_act.tree.svg()
+
+
+def _figure_f_1() -> Axes:
+    prior = PiecewisePrior.from_histogram(
+        ["0", "60", "120", "180", "240", "300", "360"], [1, 3, 6, 4, 2, 1]
+    )
+    return draw_funnel(plan_feeding(catalogue_part("house"), prior=prior), prior=prior)
+
+
+_DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
+    ("1.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
+    ("1.2", "a sensor reading maps a distribution",
+     lambda: draw_sensed_blocks([1, 1, 1, 1, 1], [1, 2, 6, 2, 1])),
+    ("1.3", "an action maps a distribution",
+     lambda: draw_scooped_blocks([1, 1, 1, 1, 1], [1, 1, 1, 3, 3])),
+    ("3.1", "a parallel-jaw gripper", draw_gripper),
+    ("3.2", "a small error is cancelled", lambda: draw_uncertain_grasp(SQUARE, 0, "20")),
+    ("3.3", "a large error is not", lambda: draw_uncertain_grasp(SQUARE, 0, "50")),
+    ("3.4", "a square wedged, and stable", lambda: draw_sliding_jaw(SQUARE, 40)),
+    ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
+    ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
+    ("4.4", "diameter and squeeze function of the 4gon", _diameter_and_squeeze),
+    ("4.5", "two squeezes of the house", lambda: draw_trace(_plan("house"))),
+    ("4.6", "four squeezes of the 4gon", lambda: draw_trace(figure_4_6().plan)),
+    ("5.2", "squeeze function of the rectangle",
+     lambda: draw_step_function(_squeezes("rectangle"), name="squeeze")),
+    ("5.3", "its widest step", lambda: draw_phase_one(_squeezes("rectangle"), 1)),
+    ("5.4", "the widest arc with a narrower image",
+     lambda: draw_phase_one(_squeezes("rectangle"), 2)),
+    ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
+    ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
+    ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
+    ("B.1", "the standard gripper", draw_gripper),
+    ("B.2", "a hex nut wedged, and stable", lambda: draw_sliding_jaw(Part.regular(6), 20)),
+    ("B.3", "the gripper with a sliding jaw", lambda: draw_gripper(sliding=True)),
+    ("B.4", "it closes on a hex nut", lambda: draw_closing(Part.regular(6), 20)),
+    ("D.1", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
+    ("D.2", "stable grasps of the 4gon", lambda: draw_stable_grasps(catalogue_part("4gon"))),
+    ("E.1", "radius function of the 4gon", lambda: draw_radius(catalogue_part("4gon"))),
+    ("E.2", "radius and push function of the 4gon", _radius_and_push),
+    ("E.3", "push-grasp analysis of the 4gon", partial(_push_grasp_analysis, "4gon")),
+    ("E.4", "preimages of the 4gon's push-grasps", partial(_push_preimages, "4gon")),
+    ("E.5", "push-grasps of the 4gon", lambda: draw_trace(figure_e_5().plan)),
+    ("E.6", "push-grasp analysis of the house", partial(_push_grasp_analysis, "house")),
+    ("E.7", "preimages of the house's push-grasps", partial(_push_preimages, "house")),
+    ("E.8", "push-grasps of the house", lambda: draw_trace(figure_e_8().plan)),
+    ("F.1", "a funnel under a prior", _figure_f_1),
+    ("G.1", "Beta density, alpha = 1, 1", lambda: draw_beta_density(1, 1)),
+    ("G.2", "Beta density, alpha = .1, .1", lambda: draw_beta_density("0.1", "0.1")),
+    ("G.3", "Beta density, alpha = 16, 16", lambda: draw_beta_density(16, 16)),
+    ("G.4", "Beta density, alpha = 4, 1", lambda: draw_beta_density(4, 1)),
+)  # fmt: skip
+
+OPEN_FIGURES: Final = MappingProxyType(
+    {
+        "fig2.1": "the tree of all plans: no drawing function",
+        "fig3.5": "push-stability diagram: no drawing function; numbers: stochgeom grasp",
+        "fig3.6": "squeeze-stability diagram: no drawing function; numbers: stochgeom grasp",
+        "fig3.7": "squeeze-grasp diagram: no drawing function; numbers: stochgeom grasp",
+        "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
+        "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
+        "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
+        "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
+        "fig6.1": "side views of a robot that tilts a tray: no drawing function",
+        "fig6.2": "the twelve states in the tray: no drawing function",
+        "fig6.3": "outcomes of a tilt: no drawing function",
+        "fig7.2": "density of a noisy sensor: no drawing function",
+        "fig7.3": "outcomes of a 2-bit sensor: no drawing function",
+        "fig7.4": "the tree of all plans with sensors: no drawing function",
+        "figA.1": "risk of two decision rules: no drawing function",
+        "figC.1": "density after a push: no drawing function; numbers: density_after_push",
+    }
+)
+"""Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""
+
+SOURCE_FIGURES: Final[Mapping[str, SourceFigure]] = MappingProxyType(
+    {f"fig{number}": SourceFigure(f"fig{number}", title, draw) for number, title, draw in _DRAWN}
+)
+"""The figures that are drawn, by name, in the order of the source."""
