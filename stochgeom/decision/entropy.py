@@ -32,7 +32,8 @@ import flint
 import numpy as np
 from numpy.typing import NDArray
 
-from stochgeom.decision.number_kinds import NumberKind
+from stochgeom.decision.distributions import distribution
+from stochgeom.decision.number_kinds import NumberKind, common_kind, numbered
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
 from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.exact.balls import Ball
@@ -74,7 +75,7 @@ class EntropyModel(CostModel):
 
     def value(self, spent: Any, hyperstate: Vector) -> Any:
         """Return spent + H."""
-        return entropy(hyperstate) + self.floor(spent)
+        return entropy_of(hyperstate) + self.floor(spent)
 
     def bound(self, spent: Any, hyperstate: Vector, left: int | None) -> Any:
         """Return what is spent, or the cost of stopping here if nothing may follow."""
@@ -103,7 +104,8 @@ def entropy(probabilities: Iterable[Any]) -> Any:
 
     Parameters
     ----------
-    probabilities : iterable of mpq, of AngleSum, or of floats
+    probabilities : iterable of numbers
+        Exact ones, text such as ``"1/2"`` among them, or floats; of sum 1.
 
     Returns
     -------
@@ -111,14 +113,27 @@ def entropy(probabilities: Iterable[Any]) -> Any:
         Exact for rational numbers; for angle sums enclosed (two distributions with the same
         probabilities in another order are known to be equal); for floats a float.
 
+    Raises
+    ------
+    NotStochasticError
+        If one is negative, or they do not sum to 1.
+    MixedNumbersError, NumberError
+        If floats and exact numbers are mixed, or one is no number.
+
     Examples
     --------
-    >>> from gmpy2 import mpq
-    >>> entropy([mpq(1, 2), mpq(1, 4), mpq(1, 4), mpq(0)]).rational
+    >>> entropy(["1/2", "1/4", "1/4", 0]).rational
     mpq(3,2)
-    >>> entropy([mpq(1, 3)] * 3) == LogSum(0, [(1, 3)])
+    >>> entropy(["1/3"] * 3) == LogSum(0, [(1, 3)])
     True
     """
+    listed = list(probabilities)
+    kind = common_kind(numbered(listed, "distribution"))
+    return entropy_of(distribution(listed, kind, "distribution"))
+
+
+def entropy_of(probabilities: Iterable[Any]) -> Any:
+    """Return the entropy of numbers of one kind that are known to make a distribution."""
     shares = [p for p in probabilities if p]
     if any(isinstance(p, float) for p in shares):
         return float(-sum(p * np.log2(p) for p in shares))

@@ -12,7 +12,7 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, final
 
-from stochgeom.decision.entropy import entropy
+from stochgeom.decision.entropy import entropy_of
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import common_kind, numbered, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -215,5 +215,5 @@ def expected_entropy(tree: PlanTree, group: Callable[[Any], Hashable] | None = N
         shares += list(gathered.values())
         masses.append(sum(leaf.weights[1:], start=leaf.weights[0]))
     # Of joint probabilities w and their sum m: m H(w / m) = - sum w log w + m log m.
-    minus = entropy(masses)
-    return entropy(shares) + (-minus if isinstance(minus, float) else minus.scaled(-1))
+    minus = entropy_of(masses)
+    return entropy_of(shares) + (-minus if isinstance(minus, float) else minus.scaled(-1))
