@@ -63,6 +63,11 @@ class OffsetDirections(AngleVector):
         """The second components written out."""
         return self._written_out(1)
 
+    @property
+    def over_field(self) -> bool:
+        """Whether some of the directions are irrational: no, and nothing is written out for it."""
+        return False
+
     def _written_out(self, axis: int) -> IntArray:
         values: IntArray = as_objects(self._whole[axis]) * self._scale + self._offset[axis]
         return values
