@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
-from functools import cached_property
 from typing import Final, NamedTuple, final
 
 import numpy as np
@@ -75,6 +74,7 @@ class LiftedAngles:
         self._margin = 2 * self.error + 2.0**-48
         self._width_margin = 4 * self.error + 2.0**-48
         self.exact_decisions = 0
+        self._shadow = self._two_periods()
         self._few: list[float] | None = self._shadow.tolist() if len(base) <= FEW else None
         self._following: dict[int, Angle] = {}  # entries of the second period asked for so far
 
@@ -98,9 +98,8 @@ class LiftedAngles:
         """Return a_end - a_start, with 0 <= start < end <= 2 m, to be made when asked for."""
         return Gap(self, start, end)
 
-    @cached_property
-    def _shadow(self) -> FloatArray:
-        """Shadows of a_0 .. a_{2m}, made monotone."""
+    def _two_periods(self) -> FloatArray:
+        """Return shadows of a_0 .. a_{2m}, made monotone."""
         base, period = self.base.shadow, shadow(self.period)
         values = np.concatenate((base, base + period, base[:1] + 2 * period))
         if (values[1:] < values[:-1]).any():
