@@ -102,6 +102,7 @@ _NAMES = {
         "draw_open_loop_plans draw_plan_tree draw_risks draw_sensor_density "
     ),
     "plotting.density_pictures": "draw_beta_density",
+    "plotting.friction_pictures": "draw_friction_bounds",
     "plotting.function_pictures": (
         "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "
     ),
@@ -111,8 +112,7 @@ _NAMES = {
         "draw_uncertain_grasp "
     ),
     "plotting.stability_pictures": (
-        "draw_friction_bounds draw_grasp_diagram draw_push_density draw_push_stability "
-        "draw_squeeze_stability "
+        "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "
     ),
     "plotting.tilting_pictures": "draw_tilts draw_tray",
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",

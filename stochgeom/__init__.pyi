@@ -136,6 +136,7 @@ from stochgeom.plotting.decision_pictures import draw_plan_tree as draw_plan_tre
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
 from stochgeom.plotting.decision_pictures import draw_sensor_density as draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
+from stochgeom.plotting.friction_pictures import draw_friction_bounds as draw_friction_bounds
 from stochgeom.plotting.function_pictures import draw_diameter as draw_diameter
 from stochgeom.plotting.function_pictures import draw_distribution as draw_distribution
 from stochgeom.plotting.function_pictures import draw_preimages as draw_preimages
@@ -152,7 +153,6 @@ from stochgeom.plotting.pictures import draw_sliding_jaw as draw_sliding_jaw
 from stochgeom.plotting.pictures import draw_stable_grasps as draw_stable_grasps
 from stochgeom.plotting.pictures import draw_trace as draw_trace
 from stochgeom.plotting.pictures import draw_uncertain_grasp as draw_uncertain_grasp
-from stochgeom.plotting.stability_pictures import draw_friction_bounds as draw_friction_bounds
 from stochgeom.plotting.stability_pictures import draw_grasp_diagram as draw_grasp_diagram
 from stochgeom.plotting.stability_pictures import draw_push_density as draw_push_density
 from stochgeom.plotting.stability_pictures import draw_push_stability as draw_push_stability

@@ -159,10 +159,10 @@ def draw_sensor_density(
     ax.plot(x, y, color=look.stroke, linewidth=look.width)
     ax.vlines([float(edge) for edge in ends], 0, top, colors=INK, linewidth=0.9)
     ax.axvline(d, color=STYLES["ghost"].stroke, linewidth=0.9, linestyle="--")
-    row, _ = gaussian_bins(center * center, spread, ends, 4)
+    shares = _bin_decimals(center, spread, ends)
     for k, (left, right) in enumerate(pairwise([low, *map(float, ends), high]) if ends else ()):
         if right - left >= _NARROWEST * (high - low):
-            text = f"x{_lowered(k + 1)}\n{rational_decimal(row[k], 4)}"
+            text = f"x{_lowered(k + 1)}\n{shares[k]}"
             ax.text((left + right) / 2, 0.97 * top, text, ha="center", va="top",
                     fontsize=LETTERS - 1.5)  # fmt: skip
     ax.set(xlim=(low, high), ylim=(0.0, top), xlabel="data", ylabel="density")
@@ -185,6 +185,22 @@ def _checked_density(
             text = f"{rational_text(high)} after {rational_text(low)}; accepted: increasing"
             raise SensorError(text, where=f"edge {k}")
     return center, spread, ends
+
+
+def _bin_decimals(center: mpq, spread: mpq, ends: list[mpq]) -> list[str]:
+    """Return the probabilities of the bins with 4 decimals, each correctly rounded.
+
+    From more digits, as many as it takes: those of a row are adjusted so that their sum is 1.
+    """
+    digits = 12
+    while True:
+        row, error = gaussian_bins(center * center, spread, ends, digits)
+        low, high = ([rational_decimal(p + e, 4) for p in row] for e in (-error, error))
+        if not ends:
+            return ["1.0000"]
+        if all(a.lstrip("-") == b for a, b in zip(low, high, strict=True)):
+            return high
+        digits *= 2
 
 
 def _lowered(number: int) -> str:

@@ -300,6 +300,15 @@ class TestCurves:
             inside = (x >= low) & (x <= high)
             assert np.trapezoid(y[inside], x[inside]) == pytest.approx(share, abs=2e-3)
 
+    def test_probabilities_of_bins_are_rounded_one_by_one(self):
+        """Seven edges a deviation apart; rounded to a sum of 1 one of them would be .3415."""
+        edges = [mpq(k, 4) for k in range(5, 12)]
+        ax = sg.draw_sensor_density(2, "1/4", edges, self.axes())
+        shares = [text.get_text().split("\n")[1] for text in ax.texts]
+        assert shares == [
+            "0.0013", "0.0214", "0.1359", "0.3413", "0.3413", "0.1359", "0.0214", "0.0013"
+        ]  # fmt: skip
+
     def test_narrow_bins_are_not_named(self):
         ax = sg.draw_sensor_density(2, 1, [mpq(k, 10) for k in range(41)], self.axes())
         assert len(ax.texts) < 5
