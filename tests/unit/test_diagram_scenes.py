@@ -18,6 +18,7 @@ from stochgeom.plotting.stability_scenes import (
     push_scene,
     squeeze_scene,
 )
+from stochgeom.plotting.styles import STYLES
 from stochgeom.plotting.tray_scenes import tilt_plan_scene, tray_scene
 from stochgeom.plotting.tree_scenes import tree_scene
 from tests.scene_checks import overlapping_labels
@@ -274,7 +275,16 @@ class TestCurves:
         assert [tuple(dot.get_xydata()[0]) for dot in dots[:2]] == [
             (0, 1), (0, pytest.approx(float(sg.GuaranteedBound(HOUSE).limit)))
         ]  # fmt: skip
-        assert dots[0].get_markerfacecolor() != dots[1].get_markerfacecolor()
+        fills = [dot.get_markerfacecolor() for dot in dots[:2]]
+        assert fills == [STYLES["closed"].fill, STYLES["hollow"].fill]
+
+    @pytest.mark.parametrize("part", [SQUARE, HOUSE])
+    def test_the_dashed_curve_is_the_bound_of_the_pushing_model(self, part):
+        ax = sg.draw_friction_bounds(part, self.axes(), largest="1/2")
+        (curve,) = [line for line in ax.lines if line.get_linestyle() == "--"]
+        for mu in ("0", "1/8", "1/3", "1/2"):
+            exact = float(sg.pushing_bound(sg.GraspDiagram(part, mu)))
+            assert np.interp(float(mpq(mu)), *curve.get_data()) == pytest.approx(exact, abs=1e-3)
 
     @pytest.mark.parametrize("jaw", list(sg.Jaw))
     def test_the_density_after_a_push_is_equation_c_4(self, jaw):
