@@ -179,9 +179,9 @@ def _add_legend(scene: Scene, at: XY, kinds: tuple[str, ...]) -> None:
     for kind in kinds:
         mark = (x + 7.0, y)
         scene.add(*_mark_of(kind, mark))
-        label = Label((x + 18.0, y), kind, TEXT, "start")
+        label = Label((x + 21.0, y), kind, TEXT, "start")
         scene.add(label)
-        x += 30.0 + label.width
+        x += 33.0 + label.width
 
 
 def _mark_of(kind: str, at: XY) -> tuple[Shape, ...]:
