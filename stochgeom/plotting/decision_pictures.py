@@ -175,7 +175,8 @@ def _checked_density(
     true_value: RationalLike, sd: RationalLike, edges: Iterable[RationalLike]
 ) -> tuple[mpq, mpq, list[mpq]]:
     center, spread = rational(true_value, where="true value"), rational(sd, where="sd")
-    ends = [rational(edge, where=f"edge {k}") for k, edge in enumerate(edges, 1)]
+    listed = expect(edges, Iterable, "a list of edges")
+    ends = [rational(edge, where=f"edge {k}") for k, edge in enumerate(listed, 1)]
     if center < 0:
         raise SensorError(f"{rational_text(center)}; accepted: 0 or more", where="true value")
     if spread <= 0:
@@ -224,7 +225,7 @@ def draw_risks(
     problem : DecisionProblem
         States, readings, actions, likelihood and loss.
     rules : sequence of rules, or of mappings from readings to actions, optional
-        At most 8; default: the first admissible ones.
+        At most 8; default: the first admissible ones, of those of equal risk one.
     ax : Axes, optional
         Where; default: on a new figure.
 
@@ -274,8 +275,11 @@ def draw_risks(
 def _chosen_rules(
     problem: DecisionProblem, rules: Sequence[Rule | Mapping[Any, Any]] | None
 ) -> list[Rule]:
-    if rules is None:
-        return problem.admissible_rules()[:MOST_RULES]
+    if rules is None:  # of rules of equal risk, whose curves would hide each other, one
+        by_risk = {problem.risk_table[rule]: rule for rule in problem.admissible_rules()[::-1]}
+        return list(by_risk.values())[::-1][:MOST_RULES]
+    for rule in expect(rules, Iterable, "a list of rules"):
+        expect(rule, Mapping | Sequence, "a mapping from readings to actions, or their numbers")
     chosen = [problem.rule(rule) if isinstance(rule, Mapping) else tuple(rule) for rule in rules]
     if not 1 <= len(chosen) <= MOST_RULES:
         raise InputError(f"{len(chosen)} rules; accepted: 1 to {MOST_RULES}")

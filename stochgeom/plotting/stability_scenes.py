@@ -42,7 +42,8 @@ _Drawer = Callable[[Scene, Row], None]
 
 def push_scene(push: PushStability, *, width: float = _WIDTH) -> Scene:
     """Return the push-stability diagram of one jaw (Fig. 3.5)."""
-    return _diagram([lambda scene, row: _add_push(scene, row, push)], ("stable", "unstable"), width)
+    kinds = _kinds_of_push(push)
+    return _diagram([lambda scene, row: _add_push(scene, row, push)], kinds, width)
 
 
 def squeeze_scene(squeeze: SqueezeStability, *, width: float = _WIDTH) -> Scene:
@@ -77,7 +78,7 @@ def grasp_diagram_scene(diagram: GraspDiagram, *, width: float = _WIDTH) -> Scen
     ]
     if len(diagram.stable) > MOST_MARKED:
         rows.remove(add_strong)
-    kinds = dict.fromkeys(("stable", "unstable", *_kinds(diagram.squeeze)))
+    kinds = dict.fromkeys((*_kinds_of_push(diagram.lower), *_kinds(diagram.squeeze)))
     return _diagram(rows, tuple(kinds), width)
 
 
@@ -161,6 +162,10 @@ def _add_strong(scene: Scene, row: Row, diagram: GraspDiagram) -> None:
 
 
 # --- the legend ----------------------------------------------------------------------------------
+
+
+def _kinds_of_push(push: PushStability) -> tuple[str, ...]:
+    return ("stable", "unstable") if len(push.valleys) <= MOST_MARKED else ("stable",)
 
 
 def _kinds(squeeze: SqueezeStability) -> tuple[str, ...]:

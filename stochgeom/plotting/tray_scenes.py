@@ -69,6 +69,7 @@ def tilt_plan_scene(
     setup = expect(setup, TraySetup, "a TraySetup")
     if model.counts.states != STATES:
         raise InputError(f"a model of {model.counts.states} states; accepted: the {STATES} states")
+    expect(actions, Sequence, "a list of tilts, such as plan.actions")
     scene = Scene()
     passed = hyperstates(model, start, actions)
     for k, shares in enumerate(passed):

@@ -106,6 +106,7 @@ class TestGraspDiagrams:
         many = grasp_diagram_scene(sg.GraspDiagram(sg.Part.regular(44), "1/100"))
         assert "sure to end at" in few.labels()
         assert "sure to end at" not in many.labels()
+        assert ("unstable" in few.labels(), "unstable" in many.labels()) == (True, False)
         assert len(spans(many, "bar")) >= 44
 
 
@@ -338,6 +339,14 @@ class TestCurves:
         ]
         assert [line.get_ydata().tolist() for line in curves] == [[1, 1, 1, 1, 5], [3, 3, 3, 3, 4]]
         assert curves[1].get_linewidth() > curves[0].get_linewidth()
+
+    def test_of_rules_of_equal_risk_one_is_drawn(self):
+        """Two readings that tell nothing: four rules, but only the curves of three mixtures."""
+        blind = sg.DecisionProblem(
+            ["h", "t"], ["x", "y"], ["h", "t"], [["1/2", "1/2"]] * 2, [[0, 1], [1, 0]]
+        )
+        ax = sg.draw_risks(blind, None, self.axes())
+        assert sum(line.get_label()[0] != "_" for line in ax.lines) == 3
 
     def test_risks_that_tie_are_all_heavy(self):
         guess = sg.DecisionProblem(["h", "t"], ["x"], ["h", "t"], [[1], [1]], [[0, 1], [1, 0]])
