@@ -98,7 +98,11 @@ _NAMES = {
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
     "plotting.axes": "save_figure",
+    "plotting.decision_pictures": (
+        "draw_open_loop_plans draw_plan_tree draw_risks draw_sensor_density "
+    ),
     "plotting.density_pictures": "draw_beta_density",
+    "plotting.friction_pictures": "draw_friction_bounds",
     "plotting.function_pictures": (
         "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "
     ),
@@ -107,6 +111,10 @@ _NAMES = {
         "draw_sensed_blocks draw_sliding_jaw draw_stable_grasps draw_trace "
         "draw_uncertain_grasp "
     ),
+    "plotting.stability_pictures": (
+        "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "
+    ),
+    "plotting.tilting_pictures": "draw_tilts draw_tray",
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",
     "sensing.decisions": "Decisions",
     "sensing.diameter_sensor": "diameter_sensor",

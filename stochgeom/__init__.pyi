@@ -131,7 +131,12 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis as draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import save_figure as save_figure
+from stochgeom.plotting.decision_pictures import draw_open_loop_plans as draw_open_loop_plans
+from stochgeom.plotting.decision_pictures import draw_plan_tree as draw_plan_tree
+from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
+from stochgeom.plotting.decision_pictures import draw_sensor_density as draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
+from stochgeom.plotting.friction_pictures import draw_friction_bounds as draw_friction_bounds
 from stochgeom.plotting.function_pictures import draw_diameter as draw_diameter
 from stochgeom.plotting.function_pictures import draw_distribution as draw_distribution
 from stochgeom.plotting.function_pictures import draw_preimages as draw_preimages
@@ -148,6 +153,12 @@ from stochgeom.plotting.pictures import draw_sliding_jaw as draw_sliding_jaw
 from stochgeom.plotting.pictures import draw_stable_grasps as draw_stable_grasps
 from stochgeom.plotting.pictures import draw_trace as draw_trace
 from stochgeom.plotting.pictures import draw_uncertain_grasp as draw_uncertain_grasp
+from stochgeom.plotting.stability_pictures import draw_grasp_diagram as draw_grasp_diagram
+from stochgeom.plotting.stability_pictures import draw_push_density as draw_push_density
+from stochgeom.plotting.stability_pictures import draw_push_stability as draw_push_stability
+from stochgeom.plotting.stability_pictures import draw_squeeze_stability as draw_squeeze_stability
+from stochgeom.plotting.tilting_pictures import draw_tilts as draw_tilts
+from stochgeom.plotting.tilting_pictures import draw_tray as draw_tray
 from stochgeom.sensing.calibration import CalibrationProblem as CalibrationProblem
 from stochgeom.sensing.calibration import calibration_problem as calibration_problem
 from stochgeom.sensing.calibration import expected_entropy as expected_entropy

@@ -26,6 +26,7 @@ from typing import Any, Final, TypeAlias, final
 from stochgeom.decision.distributions import distribution, listed
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, common_kind, numbered, read_number
+from stochgeom.display import Displayed
 from stochgeom.errors import NodeLimitError, ProblemError, ShapeMismatchError
 
 Rule: TypeAlias = "tuple[int, ...]"
@@ -36,7 +37,7 @@ RULE_LIMIT: Final = 1_000_000
 
 
 @final
-class DecisionProblem:
+class DecisionProblem(Displayed):
     """States, readings, actions, f and L.
 
     Parameters

@@ -31,6 +31,7 @@ from stochgeom.decision.number_kinds import (
     numbered,
     read_number,
 )
+from stochgeom.display import Displayed
 
 Vector: TypeAlias = "tuple[Number, ...] | NDArray[np.float64]"
 """A hyperstate: a tuple of exact numbers, or an array of floats."""
@@ -49,7 +50,7 @@ class Cost(Protocol):
 
 
 @final
-class PlanningProblem:
+class PlanningProblem(Displayed):
     """A finite planning problem under uncertainty of state and control (Eq. 2.1 to 2.3).
 
     Parameters

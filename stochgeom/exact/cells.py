@@ -12,6 +12,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import final
 
+from stochgeom.display import Displayed
 from stochgeom.errors import InvalidArcError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
@@ -20,7 +21,7 @@ from stochgeom.exact.sums import AngleSum
 
 
 @final
-class CellSet:
+class CellSet(Displayed):
     """A set of orientations on the circle: a union of cells, exactly.
 
     Parameters

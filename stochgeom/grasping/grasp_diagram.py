@@ -23,6 +23,7 @@ from typing import Any, final
 from numpy.typing import NDArray
 
 from stochgeom.decision.priors import Prior
+from stochgeom.display import Displayed
 from stochgeom.errors import InvalidAngleError, OutcomeError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.cells import CellSet, merge
@@ -73,7 +74,7 @@ class GraspTolerance:
 
 
 @final
-class GraspDiagram:
+class GraspDiagram(Displayed):
     """What a grasp makes of every initial orientation of a part.
 
     Parameters

@@ -20,6 +20,7 @@ from typing import Any, Final, final
 
 from numpy.typing import NDArray
 
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, Angle
 from stochgeom.exact.arcs import ClosedArc
 from stochgeom.exact.cells import CellSet, merge
@@ -65,7 +66,7 @@ class Valley:
 
 
 @final
-class PushStability:
+class PushStability(Displayed):
     """The push-stability diagram of a part for one jaw.
 
     Parameters

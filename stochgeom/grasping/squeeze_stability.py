@@ -25,6 +25,7 @@ from typing import Any, Final, TypeAlias, final
 
 from numpy.typing import NDArray
 
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.cells import CellSet, merge
@@ -90,7 +91,7 @@ class StableEdge:
 
 
 @final
-class SqueezeStability:
+class SqueezeStability(Displayed):
     """The squeeze-stability diagram of a part.  O(n log n).
 
     Parameters

@@ -27,9 +27,9 @@ def expect(value: _Value, kind: Any, accepted: str) -> _Value:
     stochgeom.errors.InputError: 'house' is of type str, not int; accepted: a whole number
     """
     if not isinstance(value, kind):
+        wanted = getattr(kind, "__name__", kind)  # a union has no name
         raise InputError(
-            f"{value!r:.60} is of type {type(value).__name__}, not {kind.__name__}; "
-            f"accepted: {accepted}"
+            f"{value!r:.60} is of type {type(value).__name__}, not {wanted}; accepted: {accepted}"
         )
     return value
 

@@ -11,6 +11,7 @@ from typing import Final
 
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.display import Renderers
+from stochgeom.exact.cells import CellSet
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.sums import AngleSum
 from stochgeom.feeding.plans import FeedingPlan
@@ -18,11 +19,27 @@ from stochgeom.feeding.preimages import Preimages
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.grasping.grasp_diagram import GraspDiagram
+from stochgeom.grasping.push_stability import PushStability
+from stochgeom.grasping.squeeze_stability import SqueezeStability
 from stochgeom.plotting.distributions import distribution_scene
 from stochgeom.plotting.function_scenes import bars_scene, step_scene, wave_scene
 from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.rich_decisions import (
+    decision_problem_html,
+    planning_problem_html,
+    sensor_plan_html,
+)
 from stochgeom.plotting.rich_html import MOST_PREIMAGES, plan_html, problem_html
+from stochgeom.plotting.stability_scenes import (
+    cells_scene,
+    grasp_diagram_scene,
+    push_scene,
+    squeeze_scene,
+)
 from stochgeom.plotting.svg import svg_document
+from stochgeom.plotting.tree_scenes import tree_scene
+from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.transfer.step_function import StepFunction
 
 
@@ -73,6 +90,35 @@ def hyperstate_svg(state: Hyperstate) -> str:
     )
 
 
+def cells_svg(cells: CellSet) -> str:
+    """Return a set of orientations as bars; of many intervals only what is seen."""
+    return svg_document(cells_scene(cells), title=f"{cells!s:.200}", scale=1.0)
+
+
+def push_svg(push: PushStability) -> str:
+    """Return the push-stability diagram."""
+    name = push.part.name or "a part"
+    return svg_document(push_scene(push), title=f"push stability of {name}", scale=1.0)
+
+
+def squeeze_svg(squeeze: SqueezeStability) -> str:
+    """Return the squeeze-stability diagram."""
+    name = squeeze.part.name or "a part"
+    return svg_document(squeeze_scene(squeeze), title=f"squeeze stability of {name}", scale=1.0)
+
+
+def grasp_diagram_svg(diagram: GraspDiagram) -> str:
+    """Return the squeeze-grasp diagram."""
+    name = diagram.part.name or "a part"
+    scene = grasp_diagram_scene(diagram)
+    return svg_document(scene, title=f"squeeze-grasp diagram of {name}", scale=1.0)
+
+
+def tree_svg(tree: PlanTree, digits: int = 4) -> str:
+    """Return a plan with sensors as a tree, whole."""
+    return svg_document(tree_scene(tree, digits), title=repr(tree), scale=1.0)
+
+
 def number_latex(number: TurnRatio | AngleSum) -> str:
     """Return an exact probability or cost as a formula."""
     import sympy
@@ -89,14 +135,22 @@ def plan_report(plan: FeedingPlan, path: str | os.PathLike[str], *, digits: int)
 
 RENDERERS: Final[Renderers] = {
     ("AngleSum", "latex"): number_latex,
+    ("CellSet", "svg"): cells_svg,
+    ("DecisionProblem", "html"): decision_problem_html,
     ("DiameterFunction", "svg"): wave_svg,
     ("FeedingPlan", "html"): plan_html,
     ("FeedingPlan", "report"): plan_report,
     ("FeedingProblem", "html"): problem_html,
+    ("GraspDiagram", "svg"): grasp_diagram_svg,
     ("Hyperstate", "svg"): hyperstate_svg,
     ("Part", "svg"): part_svg,
+    ("PlanTree", "svg"): tree_svg,
+    ("PlanningProblem", "html"): planning_problem_html,
     ("Preimages", "svg"): preimages_svg,
+    ("PushStability", "svg"): push_svg,
     ("RadiusFunction", "svg"): wave_svg,
+    ("SensorPlan", "html"): sensor_plan_html,
+    ("SqueezeStability", "svg"): squeeze_svg,
     ("StepFunction", "svg"): step_function_svg,
     ("TurnRatio", "latex"): number_latex,
 }

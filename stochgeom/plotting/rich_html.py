@@ -16,7 +16,7 @@ from stochgeom.plotting.scene import shown_degrees
 from stochgeom.plotting.svg import svg_document, text_of
 from stochgeom.plotting.trace_scenes import trace_scene, typical_orientations
 
-_MOST_ROWS: Final = 12
+MOST_ROWS: Final = 12
 """Longer tables are cut in a notebook."""
 
 _MOST_TRACED: Final = 5
@@ -34,23 +34,23 @@ def plan_html(plan: FeedingPlan) -> str:
         f"probability {plan.probability.decimal(4)}"
     )
     rows = []
-    for k, action in enumerate(plan.actions[:_MOST_ROWS], 1):
+    for k, action in enumerate(plan.actions[:MOST_ROWS], 1):
         if action.low is None:
             free = "any" if plan.prior is None else shown_degrees(action.angle.degrees())
             rows.append([str(k), free, "", ""])
         else:
             rows.append([str(k), *map(shown_degrees, action.decimals())])
-    if plan.steps > _MOST_ROWS:
-        rows.append(["…", f"{plan.steps - _MOST_ROWS} more", "", ""])
+    if plan.steps > MOST_ROWS:
+        rows.append(["…", f"{plan.steps - MOST_ROWS} more", "", ""])
     header = ["action", "turn the gripper by", "works above", "up to"]
-    return f"<p>{text_of(summary)}</p>\n{_plan_picture(plan, summary)}{_table(header, rows)}"
+    return f"<p>{text_of(summary)}</p>\n{_plan_picture(plan, summary)}{table_html(header, rows)}"
 
 
 def _plan_picture(plan: FeedingPlan, title: str) -> str:
     if plan.part is not None and plan.steps <= _MOST_TRACED:
         scene = trace_scene(plan, typical_orientations(plan, _COLUMNS))
         return svg_document(scene, title=title, scale=20.0) + "\n"
-    if plan.steps <= _MOST_ROWS:
+    if plan.steps <= MOST_ROWS:
         return svg_document(funnel_scene(plan), title=title, scale=1.0) + "\n"
     return ""
 
@@ -69,18 +69,19 @@ def problem_html(problem: FeedingProblem) -> str:
         wave = RadiusFunction(problem.part) if pushes else DiameterFunction(problem.part)
     scene = analysis_scene(problem.transfer, chain, wave, name=problem.action, width=460.0)
     rows = []
-    for preimage in chain[:_MOST_ROWS]:
+    for preimage in chain[:MOST_ROWS]:
         placed = problem.placement(preimage.steps)
         share = "none for sure" if placed is None else placed.probability.decimal(4)
         rows.append([str(preimage.steps), f"{preimage.width.degrees()}°", share])
-    if len(chain) > _MOST_ROWS:
+    if len(chain) > MOST_ROWS:
         rows.append(["…", "and more", ""])
     header = ["actions", "width of the preimage", "probability"]
     picture = svg_document(scene, title=summary, scale=1.0)
-    return f"<p>{text_of(summary)}</p>\n{picture}\n{_table(header, rows)}"
+    return f"<p>{text_of(summary)}</p>\n{picture}\n{table_html(header, rows)}"
 
 
-def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def table_html(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Return a table of text."""
     head = "".join(f'<th scope="col">{text_of(cell)}</th>' for cell in header)
     body = "\n".join(
         "<tr>" + "".join(f"<td>{text_of(cell)}</td>" for cell in row) + "</tr>" for row in rows

@@ -62,4 +62,17 @@ STYLES: Final[dict[str, Style]] = {
     "caught": Style("#7d9cc0", "#23527c", 1.2),
     "band": Style("#e9eef5", None),
     "rule": Style(None, "#c4c4c4", 0.7),
+    # trees
+    "branch": Style(None, "#777777", 0.9),
+    "best": Style(None, INK, 2.2),
+    "both": Style(None, INK, 1.1),
+    "act": Style("#eef3f9", INK, 0.9),
+    "sense": Style("#d9d2bd", INK, 0.9),
+    "leaf": Style(PAPER, INK, 0.9),
+    "probable": Style("#23527c", None),
+    # trays
+    "tray": Style(None, INK, 2.2),
+    "tile": Style(None, INK, 1.1),
+    "likely": Style("#7d9cc0", INK, 1.3),
+    "unlikely": Style(None, "#8a8a8a", 0.9, (3, 2.5)),
 }

@@ -16,14 +16,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, final
 
+from stochgeom.display import Displayed, render
 from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense, Wording, children_of, mass_of
-from stochgeom.sensing.tree_svg import tree_svg
 from stochgeom.sensing.tree_text import tree_dot, tree_text
 
 
 @final
 @dataclass(frozen=True)
-class PlanTree:
+class PlanTree(Displayed):
     """A plan with sensors.
 
     Parameters
@@ -106,25 +106,23 @@ class PlanTree:
         return any(leaf.truncated for leaf in self.leaves())
 
     @property
-    def _words(self) -> Wording:
+    def words(self) -> Wording:
+        """How texts and drawings speak of the tree."""
         return Wording(self.accepts, self.action_form)
 
     # --- pictures --------------------------------------------------------------------------------
 
     def text(self, digits: int = 4) -> str:
         """Return the tree as text, a line for each move and reading."""
-        return tree_text(self.root, self._words, digits)
+        return tree_text(self.root, self.words, digits)
 
     def dot(self, digits: int = 4) -> str:
         """Return the tree in the language of Graphviz; readings of one sensing are joined."""
-        return tree_dot(self.root, self._words, digits)
+        return tree_dot(self.root, self.words, digits)
 
     def svg(self, digits: int = 4) -> str:
         """Return the tree as a drawing, a scalable vector graphic."""
-        return tree_svg(self.root, self._words, digits)
-
-    def _repr_svg_(self) -> str:
-        return self.svg()
+        return str(render(self, "svg", digits))
 
     def __repr__(self) -> str:
         leaves = sum(1 for _ in self.leaves())

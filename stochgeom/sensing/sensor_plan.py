@@ -8,6 +8,7 @@ from typing import Any, final
 
 from gmpy2 import mpq
 
+from stochgeom.display import Displayed
 from stochgeom.errors import PrecisionLimitError
 from stochgeom.exact.quotients import number_decimal, quotient
 from stochgeom.sensing.plan_tree import PlanTree
@@ -15,7 +16,7 @@ from stochgeom.sensing.plan_tree import PlanTree
 
 @final
 @dataclass(frozen=True)
-class SensorPlan:
+class SensorPlan(Displayed):
     """A plan with sensors, what it costs, and whether that is proven to be the least.
 
     Attributes

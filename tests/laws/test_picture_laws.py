@@ -9,15 +9,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from stochgeom.exact.angles import HALF_TURN
+from stochgeom.exact.angles import HALF_TURN, Angle
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.diameter import DiameterFunction
+from stochgeom.grasping.grasp_diagram import GraspDiagram
+from stochgeom.grasping.push_stability import Motion, PushStability
+from stochgeom.grasping.squeeze_stability import SqueezeStability
 from stochgeom.plotting.curves import bars_of, in_degrees, steps_of, turns_for, wave_of
 from stochgeom.plotting.distributions import spread
 from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
 from stochgeom.plotting.grasp_scenes import contact_word, reached_from, stable_scene
 from stochgeom.plotting.silhouettes import silhouette
+from stochgeom.plotting.stability_scenes import grasp_diagram_scene, push_scene, squeeze_scene
 from stochgeom.plotting.svg import svg_document
 from stochgeom.plotting.trace_scenes import trace_scene, typical_orientations
 from tests.scene_checks import overlapping_labels, parsed
@@ -141,3 +145,29 @@ def test_spread_labels_keep_their_order_and_do_not_overlap(rows):
     inside = all(w / 2 <= c <= 40 - w / 2 for c, w in rows)
     if apart and inside:
         assert found == centers  # nothing moves without need
+
+
+@given(pushable_parts(), st.sampled_from(["0", "1/10", "1/2", "2"]))
+@settings(max_examples=40)
+def test_arrowheads_point_the_way_the_part_turns(part, mu):
+    push, squeeze = PushStability(part), SqueezeStability(part, mu)
+    for diagram, scene in ((push, push_scene(push)), (squeeze, squeeze_scene(squeeze))):
+        for head in scene.of_style("arrowhead"):
+            tip, back = head.points[0][0], head.points[1][0]
+            theta = Angle.from_degrees(f"{(tip + back) / 2 * 360 / 560:.6f}")
+            ahead = Motion.COUNTERCLOCKWISE if tip > back else Motion.CLOCKWISE
+            assert diagram.motion(theta) is ahead
+
+
+@given(pushable_parts(), st.sampled_from(["0", "1/10", "1/2", "2"]))
+@settings(max_examples=40)
+def test_the_bars_of_a_grasp_diagram_are_as_long_as_its_bound(part, mu):
+    diagram = GraspDiagram(part, mu)
+    scene = grasp_diagram_scene(diagram)
+    drawn = {
+        style: sum(bar.points[1][0] - bar.points[0][0] for bar in scene.of_style(style)) / 560
+        for style in ("bar", "funnel")
+    }
+    assert drawn["bar"] == pytest.approx(float(diagram.bound), abs=1e-9)
+    assert drawn["funnel"] <= drawn["bar"] + 1e-9
+    assert overlapping_labels(scene) == []

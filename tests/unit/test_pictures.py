@@ -13,15 +13,32 @@ import stochgeom as sg
 from stochgeom.errors import (
     CenterOfMassError,
     FloatRefusedError,
+    FrictionError,
     InputError,
     InvalidPartError,
     MissingExtraError,
+    NodeLimitError,
+    PriorError,
+    RecordingError,
+    SensorError,
     WriteError,
 )
-from stochgeom.plotting.density_pictures import beta_density, beta_moments
 
 RECTANGLE = [(0, 0), (3, 0), (3, 2), (0, 2)]
 NUT = sg.Part.regular(6)
+
+TEST = sg.DecisionProblem(
+    ["good", "bad"],
+    ["pass", "fail"],
+    ["keep", "throw"],
+    [["9/10", "1/10"], ["1/10", "9/10"]],
+    [[0, 1], [5, 0]],
+)
+COIN = sg.PlanningProblem.from_matrices(
+    ["1/4", "3/4"], {"turn": [[0, 1], [1, 0]], "wait": [[1, 0], [0, 1]]}
+)
+EYE = sg.Sensor.perfect(["0", "1"])
+TILTS = sg.figure_6_4_model()
 
 DRAWINGS = {
     "draw_analysis": lambda ax: sg.draw_analysis(sg.FeedingProblem(RECTANGLE), ax and [ax] * 3)[0],
@@ -31,22 +48,33 @@ DRAWINGS = {
     "draw_distribution": lambda ax: sg.draw_distribution(
         sg.plan_feeding(RECTANGLE).distribution(), ax
     ),
+    "draw_friction_bounds": lambda ax: sg.draw_friction_bounds(RECTANGLE, ax),
     "draw_funnel": lambda ax: sg.draw_funnel(sg.plan_feeding(RECTANGLE), ax),
     "draw_grasp": lambda ax: sg.draw_grasp(RECTANGLE, "12.5", ax),
+    "draw_grasp_diagram": lambda ax: sg.draw_grasp_diagram(RECTANGLE, "1/4", ax),
     "draw_gripper": lambda ax: sg.draw_gripper(ax, sliding=True),
+    "draw_open_loop_plans": lambda ax: sg.draw_open_loop_plans(COIN, 2, ax),
     "draw_part": lambda ax: sg.draw_part(RECTANGLE, ax),
     "draw_phase_one": lambda ax: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 2, ax),
+    "draw_plan_tree": lambda ax: sg.draw_plan_tree(sg.iterative_sensor_plan(COIN, EYE, 2), ax),
     "draw_preimages": lambda ax: sg.draw_preimages(sg.squeeze_function(RECTANGLE), ax),
+    "draw_push_density": lambda ax: sg.draw_push_density(RECTANGLE, ax),
     "draw_push_grasp_analysis": lambda ax: sg.draw_push_grasp_analysis(RECTANGLE, ax and [ax] * 6)[
         0
     ],
+    "draw_push_stability": lambda ax: sg.draw_push_stability(RECTANGLE, ax, jaw=sg.Jaw.UPPER),
     "draw_radius": lambda ax: sg.draw_radius(RECTANGLE, ax),
+    "draw_risks": lambda ax: sg.draw_risks(TEST, None, ax),
     "draw_scooped_blocks": lambda ax: sg.draw_scooped_blocks([1, 1], [1, 1], ax),
     "draw_sensed_blocks": lambda ax: sg.draw_sensed_blocks([1, 1], [1, 2], ax),
+    "draw_sensor_density": lambda ax: sg.draw_sensor_density(2, "1/4", [1, 2, 3], ax),
     "draw_sliding_jaw": lambda ax: sg.draw_sliding_jaw(NUT, 20, ax),
+    "draw_squeeze_stability": lambda ax: sg.draw_squeeze_stability(RECTANGLE, "1/4", ax),
     "draw_stable_grasps": lambda ax: sg.draw_stable_grasps(RECTANGLE, ax),
     "draw_step_function": lambda ax: sg.draw_step_function(sg.squeeze_function(RECTANGLE), ax),
+    "draw_tilts": lambda ax: sg.draw_tilts(TILTS, 7, [1], ax),
     "draw_trace": lambda ax: sg.draw_trace(sg.plan_feeding(RECTANGLE), ax),
+    "draw_tray": lambda ax: sg.draw_tray(None, ax),
     "draw_uncertain_grasp": lambda ax: sg.draw_uncertain_grasp(RECTANGLE, 20, "15", ax),
 }
 
@@ -54,7 +82,11 @@ SEVERAL_GRAPHS = {"draw_analysis", "draw_push_grasp_analysis"}
 
 
 def test_every_drawing_function_is_tested():
-    assert set(DRAWINGS) == {name for name in sg.__all__ if name.startswith("draw_")}
+    assert set(DRAWINGS) == {
+        name
+        for name in sg.__all__
+        if name.startswith("draw_") and "plotting" in getattr(sg, name).__module__
+    }
 
 
 @pytest.mark.parametrize("name", DRAWINGS)
@@ -229,9 +261,10 @@ class TestOnAxes:
 
     @pytest.mark.parametrize("parameters", [(1, 1), (16, 16), (4, 1), ("2.5", 3)])
     def test_the_density_has_the_exact_moments(self, parameters):
-        p = (np.arange(200_000) + 0.5) / 200_000
-        density = beta_density(*parameters, p) / 200_000
-        mean, variance = beta_moments(*parameters)
+        p = (np.arange(20_000) + 0.5) / 20_000
+        beta = sg.BetaDensity(*parameters)
+        density = np.array([beta(float(x)) for x in p]) / 20_000
+        mean, variance = beta.mean, beta.variance
         assert density.sum() == pytest.approx(1)
         assert (density * p).sum() == pytest.approx(float(mean))
         assert (density * (p - float(mean)) ** 2).sum() == pytest.approx(float(variance))
@@ -269,8 +302,49 @@ class TestOnAxes:
             (lambda: sg.draw_part("house"), InvalidPartError, "is text"),
             (lambda: sg.draw_part([(0, 0), (1, 1)]), InvalidPartError, "accepted"),
             (lambda: sg.draw_grasp(RECTANGLE, 12.5), FloatRefusedError, "degrees: .*12.5"),
-            (lambda: sg.draw_beta_density(0, 1), InputError, "alpha 1: 0; accepted: positive"),
-            (lambda: sg.draw_beta_density(1, "-1/2"), InputError, "alpha 2"),
+            (
+                lambda: sg.draw_beta_density(0, 1),
+                PriorError,
+                "alpha_1: 0; accepted: numbers above 0",
+            ),
+            (lambda: sg.draw_beta_density(1, "-1/2"), PriorError, "alpha_2"),
+            (lambda: sg.draw_grasp_diagram(RECTANGLE, "-1"), FrictionError, "mu: .* negative"),
+            (lambda: sg.draw_squeeze_stability(RECTANGLE, 0.25), FloatRefusedError, "mu"),
+            (lambda: sg.draw_push_stability(RECTANGLE, jaw="upper"), InputError, "Jaw.LOWER"),
+            (lambda: sg.draw_push_density(RECTANGLE, jaw=1), InputError, "not Jaw"),
+            (
+                lambda: sg.draw_friction_bounds(RECTANGLE, largest=0),
+                FrictionError,
+                "largest: 0; accepted: positive",
+            ),
+            (lambda: sg.draw_open_loop_plans(TEST, 1), InputError, "not PlanningProblem"),
+            (lambda: sg.draw_open_loop_plans(COIN, 0), InputError, "0 stages; accepted: whole"),
+            (lambda: sg.draw_open_loop_plans(COIN, 7), NodeLimitError, r"2\^7 plans.* at most 81"),
+            (lambda: sg.draw_plan_tree(COIN), InputError, "not PlanTree"),
+            (lambda: sg.draw_risks(COIN), InputError, "not DecisionProblem"),
+            (lambda: sg.draw_risks(TEST, []), InputError, "0 rules; accepted: 1 to 8"),
+            (lambda: sg.draw_risks(TEST, 5), InputError, "not Iterable; accepted: a list of rules"),
+            (lambda: sg.draw_risks(TEST, [3]), InputError, "3 is of type int"),
+            (lambda: sg.draw_sensor_density(1, 1, 5), InputError, "a list of edges"),
+            (lambda: sg.draw_tilts(TILTS, 1, 3), InputError, "a list of tilts"),
+            (lambda: sg.draw_risks(TEST, [(0,)]), InputError, "rule 1: .* 2 readings"),
+            (lambda: sg.draw_risks(TEST, [(0, 2)]), InputError, "rule 1: .* 0 to 1"),
+            (lambda: sg.draw_risks(TEST, [{"pass": "keep"}]), InputError, "no answer"),
+            (lambda: sg.draw_sensor_density(-1, 1), SensorError, "true value: -1; accepted: 0"),
+            (lambda: sg.draw_sensor_density(1, 0), SensorError, "sd: 0; accepted: positive"),
+            (lambda: sg.draw_sensor_density(1, 1, [2, 2]), SensorError, "edge 2: 2 after 2"),
+            (lambda: sg.draw_sensor_density(1, 0.5), FloatRefusedError, "sd"),
+            (lambda: sg.draw_tray(RECTANGLE), InputError, "not TraySetup"),
+            (lambda: sg.draw_tilts(COIN, 1, []), InputError, "not TransitionModel"),
+            (lambda: sg.draw_tilts(TILTS, 13, []), RecordingError, "13"),
+            (lambda: sg.draw_tilts(TILTS, 1, [0]), RecordingError, "0"),
+            (
+                lambda: sg.draw_tilts(
+                    sg.TransitionModel(sg.TransitionCounts([[[1, 1], [0, 2]]]), alpha=1), 1, [1]
+                ),
+                InputError,
+                "2 states; accepted: the 12",
+            ),
             (lambda: sg.draw_radius(sg.Part(RECTANGLE, (9, 9))), CenterOfMassError, "inside"),
             (
                 lambda: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 3),

@@ -18,17 +18,30 @@ from tests.repo.sources import MODULES, ROOT
 from tests.scene_checks import SVG, parsed
 
 RECTANGLE = sg.Part([(0, 0), (3, 0), (3, 2), (0, 2)], name="rectangle")
+COIN = sg.PlanningProblem.from_matrices(
+    ["1/4", "3/4"], {"turn": [[0, 1], [1, 0]], "wait": [[1, 0], [0, 1]]}
+)
 LONG = sg.FAMILIES["long plans"].generate(15, 1)
 
 SHOWN = {
     "AngleSum": lambda: sg.AngleSum(1, [(2, sg.Angle(0, (3, 2)))]),
+    "CellSet": lambda: sg.GraspDiagram(RECTANGLE, "1/4").guaranteed,
+    "DecisionProblem": lambda: sg.DecisionProblem(
+        ["h", "t"], ["none"], ["h", "t"], [[1], [1]], [[0, 1], [1, 0]]
+    ),
     "DiameterFunction": lambda: sg.DiameterFunction(RECTANGLE),
     "FeedingPlan": lambda: sg.plan_feeding(RECTANGLE),
     "FeedingProblem": lambda: sg.FeedingProblem(RECTANGLE, "push-grasp"),
+    "GraspDiagram": lambda: sg.GraspDiagram(RECTANGLE, "1/4"),
     "Hyperstate": lambda: sg.plan_feeding(RECTANGLE).distribution(1),
     "Part": lambda: RECTANGLE,
+    "PlanTree": lambda: sg.iterative_sensor_plan(COIN, sg.Sensor.perfect(COIN.states), 2).tree,
+    "PlanningProblem": lambda: COIN,
     "Preimages": lambda: sg.FeedingProblem(RECTANGLE).preimages,
+    "PushStability": lambda: sg.PushStability(RECTANGLE),
     "RadiusFunction": lambda: sg.RadiusFunction(RECTANGLE),
+    "SensorPlan": lambda: sg.iterative_sensor_plan(COIN, sg.Sensor.perfect(COIN.states), 2),
+    "SqueezeStability": lambda: sg.SqueezeStability(RECTANGLE, "1/4"),
     "StepFunction": lambda: sg.squeeze_function(RECTANGLE),
     "TurnRatio": lambda: sg.plan_feeding(RECTANGLE, "1/2").probability,
 }
@@ -58,7 +71,7 @@ def test_what_is_shown_is_short_and_whole(name):
     }
     if forms["svg"]:
         assert len(parsed(forms["svg"])) > 3
-        assert len(forms["svg"]) < 20_000
+        assert len(forms["svg"]) < (40_000 if name == "GraspDiagram" else 20_000)
     if forms["html"]:
         ET.fromstring(f"<div>{forms['html']}</div>")
         assert len(forms["html"]) < 40_000
@@ -126,6 +139,33 @@ def test_large_values_are_shown_short():
     plan = problem.geometric_plan()
     assert len(plan._repr_html_()) < 40_000
     assert len(plan.distribution(1)._repr_svg_()) < 40_000
+
+
+def test_large_diagrams_and_problems_are_shown_short():
+    """80 vertices, 200 states, 30 actions, a tree of hundreds of nodes."""
+    many = sg.GraspDiagram(sg.Part.regular(80), "1/100")
+    assert len(many._repr_svg_()) < 80_000
+    assert len(many.guaranteed._repr_svg_()) < 20_000
+    n = 200
+    identity = [[int(i == j) for j in range(n)] for i in range(n)]
+    large = sg.PlanningProblem.from_matrices([1] + [0] * (n - 1), [identity] * 30)
+    page = large._repr_html_()
+    assert "<td>188 more</td>" in page
+    assert "<svg" not in page
+    assert len(page) < 5_000
+
+
+def test_floats_are_shown_too():
+    assert "0.2500" in COIN.to_float()._repr_html_()
+
+
+def test_a_long_plan_with_sensors_is_told_in_numbers():
+    problem = sg.PlanningProblem.from_matrices(["1/5"] * 5, [[[0, 1, 0, 0, 0]] * 5])
+    noisy = sg.Sensor.noisy(problem.states, "1/10")
+    plan = sg.iterative_sensor_plan(problem, noisy, stages=["sense", "sense", "sense"])
+    assert sum(1 for _ in plan.tree.nodes()) > 60
+    assert "<svg" not in plan._repr_html_()
+    assert "leaves" in plan._repr_html_()
 
 
 def test_more_states_than_degrees_are_summed_by_the_degree():

@@ -336,23 +336,26 @@ class TestTrees:
         texts = [element.text for element in picture.iter(f"{space}text")]
         boxes = ["read eye", "do merge", "accept u (1.0000)", "accept w (1.0000)"]
         assert sorted(texts) == sorted([*boxes, "not w (0.7500)", "w (0.2500)"])
-        assert len(list(picture.iter(f"{space}rect"))) == 3
-        assert len(list(picture.iter(f"{space}polygon"))) == 1
-        assert [p.get("class") for p in picture.iter(f"{space}path")].count("and") == 1
+        kinds = [element.get("class") for element in picture.iter(f"{space}polygon")]
+        assert sorted(kinds) == ["sg-act", "sg-leaf", "sg-leaf", "sg-sense"]
+        lines = [element.get("class") for element in picture.iter(f"{space}polyline")]
+        assert sorted(lines) == ["sg-both", "sg-branch", "sg-branch", "sg-branch"]
 
     def test_svg_boxes_do_not_overlap(self):
         problem = PlanningProblem.from_matrices(["1/4"] * 4, [[[1, 0, 0, 0]] * 4])
         tree = iterative_sensor_plan(problem, Sensor.noisy(problem.states, "1/10"), 2).tree
         picture = ET.fromstring(tree._repr_svg_())
-        boxes = [
-            tuple(float(rect.get(key)) for key in ("x", "y", "width", "height"))
-            for rect in picture.iter("{http://www.w3.org/2000/svg}rect")
-        ]
-        for k, (x, y, width, height) in enumerate(boxes):
-            assert x + width <= float(picture.get("width"))
-            assert y + height <= float(picture.get("height"))
+        boxes = []
+        for box in picture.iter("{http://www.w3.org/2000/svg}polygon"):
+            points = [tuple(map(float, pair.split(","))) for pair in box.get("points").split()]
+            xs, ys = zip(*points, strict=True)
+            boxes.append((min(xs), min(ys), max(xs), max(ys)))
+        assert len(boxes) == sum(1 for _ in tree.nodes()) > 4
+        for k, (left, top, right, bottom) in enumerate(boxes):
+            assert 0 < left < right <= float(picture.get("width"))
+            assert 0 < top < bottom <= float(picture.get("height"))
             for a, b, c, d in boxes[:k]:
-                assert x >= a + c or a >= x + width or y >= b + d or b >= y + height
+                assert left >= c or a >= right or top >= d or b >= bottom
 
     def test_markup_in_labels_is_escaped(self):
         problem = PlanningProblem(["<a> & b"], [1], ["x"], [[[1]]])

@@ -1,0 +1,294 @@
+"""Pictures of decisions on matplotlib `Axes`: risks, plans as trees, sensors; extra ``plot``.
+
+Risk curves (thesis Fig. A.1), all open-loop plans (Fig. 2.1), plans with sensors (Figs. 7.1 and
+7.4), and the density of a sensor's data with the bins it is read in (Figs. 7.2 and 7.3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from gmpy2 import mpq
+
+from stochgeom.decision.decision_rules import DecisionProblem, Rule
+from stochgeom.decision.planning_problem import PlanningProblem
+from stochgeom.errors import InputError, SensorError
+from stochgeom.exact.decimals import rational_decimal
+from stochgeom.exact.quotients import number_decimal
+from stochgeom.exact.scalars import RationalLike, rational, rational_text
+from stochgeom.plotting.arguments import expect
+from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
+from stochgeom.plotting.function_pictures import LETTERS
+from stochgeom.plotting.hyperstate_trees import open_loop_scene
+from stochgeom.plotting.styles import INK, STYLES
+from stochgeom.plotting.tree_scenes import tree_scene
+from stochgeom.sensing.gaussian import gaussian_bins
+from stochgeom.sensing.plan_tree import PlanTree
+from stochgeom.sensing.sensor_plan import SensorPlan
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MOST_RULES: Final = 8
+"""More curves in one picture cannot be told apart."""
+
+_INCHES: Final = 1 / 80
+_DASHES: Final = ("-", "--", ":", "-.", (0, (7, 2)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)),
+                  (0, (3, 1)))  # fmt: skip
+_MARKERS: Final = "osD^vP*X"
+_NARROWEST: Final = 0.055
+"""Bins that take a smaller share of the axis are not named."""
+
+
+def draw_open_loop_plans(problem: PlanningProblem, stages: int, ax: Axes | None = None) -> Axes:
+    """Draw all plans of so many actions as a tree of hyperstates (Fig. 2.1).
+
+    The bars in a box are the probabilities of the states. Of a problem with a cost, each plan's
+    cost stands at its end and the cheapest plans are heavy, decided exactly.
+
+    Parameters
+    ----------
+    problem : PlanningProblem
+        States, prior, actions; a cost or none.
+    stages : int
+        The number of actions of each plan.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    InputError
+        If the number of actions is none.
+    NodeLimitError
+        If there are more than 81 plans.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from stochgeom.decision.additive_costs import AdditiveCost
+    >>> turn = PlanningProblem.from_matrices(
+    ...     ["1/4", "3/4"], {"turn": [[0, 1], [1, 0]], "wait": [[1, 0], [0, 1]]},
+    ...     cost=AdditiveCost(states={"1": 1}),
+    ... )
+    >>> ax = draw_open_loop_plans(turn, 1, Figure().subplots())
+    >>> [text.get_text() for text in ax.texts]
+    ['turn', 'wait', 'cost 0.2500', 'cost 0.7500']
+    """
+    need_matplotlib()
+    return draw_scene(open_loop_scene(problem, stages), ax, inches=_INCHES)
+
+
+def draw_plan_tree(tree: PlanTree | SensorPlan, ax: Axes | None = None, *, digits: int = 4) -> Axes:
+    """Draw a plan with sensors as a tree (Figs. 7.1 and 7.4).
+
+    Boxes are actions, hexagons sensings, round boxes ends; an arc joins the branches of a sensing,
+    which all belong to the plan.
+
+    Parameters
+    ----------
+    tree : PlanTree or SensorPlan
+        The plan.
+    ax : Axes, optional
+        Where; default: on a new figure.
+    digits : int
+        Decimals of the probabilities.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from stochgeom.sensing.tree_nodes import Leaf
+    >>> tree = PlanTree(Leaf((mpq(1),), "up", mpq(1)), ("up",))
+    >>> draw_plan_tree(tree, Figure().subplots(), digits=1).texts[0].get_text()
+    'accept up (1.0)'
+    """
+    need_matplotlib()
+    found = tree.tree if isinstance(tree, SensorPlan) else tree
+    found = expect(found, PlanTree, "a PlanTree, such as sensor_plan(problem, sensor, 2).tree")
+    return draw_scene(tree_scene(found, digits), ax, inches=_INCHES)
+
+
+def draw_sensor_density(
+    true_value: RationalLike,
+    sd: RationalLike,
+    edges: Iterable[RationalLike] = (),
+    ax: Axes | None = None,
+) -> Axes:
+    r"""Draw the density of a sensor's data, and the probabilities of the bins it is read in.
+
+    The data are normal about the true value (Fig. 7.2); a sensor of b bits tells which of 2^b bins
+    they fall into (Fig. 7.3). The probabilities are certified decimals.
+
+    Parameters
+    ----------
+    true_value : rational, 0 or more
+        Such as the diameter of the part between the jaws.
+    sd : positive rational
+        Standard deviation.
+    edges : iterable of rationals
+        Increasing; the first bin begins at minus infinity, the last one has no end.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    SensorError
+        If the true value is negative, the deviation is not positive, or edges do not increase.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_sensor_density(2, 1, [1, 2, 3], Figure().subplots())
+    >>> [text.get_text() for text in ax.texts]
+    ['x₁\n0.1587', 'x₂\n0.3413', 'x₃\n0.3413', 'x₄\n0.1587']
+    """
+    center, spread, ends = _checked_density(true_value, sd, edges)
+    ax = axes_or_new(ax, (5.6, 3.2))
+    d, s = float(center), float(spread)
+    low, high = d - 4 * s, d + 4 * s
+    if ends:
+        margin = 0.12 * (float(ends[-1] - ends[0]) or s)
+        low, high = min(low, float(ends[0]) - margin), max(high, float(ends[-1]) + margin)
+    x = np.union1d(np.linspace(low, high, 401), d + s * np.linspace(-4, 4, 201))
+    y = np.exp(-(((x - d) / s) ** 2) / 2) / (s * np.sqrt(2 * np.pi))
+    top = 1.3 * float(y.max())
+    look = STYLES["curve"]
+    ax.fill_between(x, y, color=STYLES["density"].fill, linewidth=0)
+    ax.plot(x, y, color=look.stroke, linewidth=look.width)
+    ax.vlines([float(edge) for edge in ends], 0, top, colors=INK, linewidth=0.9)
+    ax.axvline(d, color=STYLES["ghost"].stroke, linewidth=0.9, linestyle="--")
+    shares = _bin_decimals(center, spread, ends)
+    for k, (left, right) in enumerate(pairwise([low, *map(float, ends), high]) if ends else ()):
+        if right - left >= _NARROWEST * (high - low):
+            text = f"x{_lowered(k + 1)}\n{shares[k]}"
+            ax.text((left + right) / 2, 0.97 * top, text, ha="center", va="top",
+                    fontsize=LETTERS - 1.5)  # fmt: skip
+    ax.set(xlim=(low, high), ylim=(0.0, top), xlabel="data", ylabel="density")
+    title = f"true value {rational_text(center)}, standard deviation {rational_text(spread)}"
+    ax.set_title(title, fontsize=LETTERS + 1)
+    return ax
+
+
+def _checked_density(
+    true_value: RationalLike, sd: RationalLike, edges: Iterable[RationalLike]
+) -> tuple[mpq, mpq, list[mpq]]:
+    center, spread = rational(true_value, where="true value"), rational(sd, where="sd")
+    listed = expect(edges, Iterable, "a list of edges")
+    ends = [rational(edge, where=f"edge {k}") for k, edge in enumerate(listed, 1)]
+    if center < 0:
+        raise SensorError(f"{rational_text(center)}; accepted: 0 or more", where="true value")
+    if spread <= 0:
+        raise SensorError(f"{rational_text(spread)}; accepted: positive numbers", where="sd")
+    for k, (low, high) in enumerate(pairwise(ends), 2):
+        if low >= high:
+            text = f"{rational_text(high)} after {rational_text(low)}; accepted: increasing"
+            raise SensorError(text, where=f"edge {k}")
+    return center, spread, ends
+
+
+def _bin_decimals(center: mpq, spread: mpq, ends: list[mpq]) -> list[str]:
+    """Return the probabilities of the bins with 4 decimals, each correctly rounded.
+
+    From more digits, as many as it takes: those of a row are adjusted so that their sum is 1.
+    """
+    digits = 12
+    while True:
+        row, error = gaussian_bins(center * center, spread, ends, digits)
+        low, high = ([rational_decimal(p + e, 4) for p in row] for e in (-error, error))
+        if not ends:
+            return ["1.0000"]
+        if all(a.lstrip("-") == b for a, b in zip(low, high, strict=True)):
+            return high
+        digits *= 2
+
+
+def _lowered(number: int) -> str:
+    return "".join("₀₁₂₃₄₅₆₇₈₉"[int(digit)] for digit in str(number))
+
+
+# --- risks ---------------------------------------------------------------------------------------
+
+
+def draw_risks(
+    problem: DecisionProblem,
+    rules: Sequence[Rule | Mapping[Any, Any]] | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw the risk of decision rules over the states, and the largest risk of each (Fig. A.1).
+
+    The rules of least largest risk among those drawn are heavy, decided exactly.
+
+    Parameters
+    ----------
+    problem : DecisionProblem
+        States, readings, actions, likelihood and loss.
+    rules : sequence of rules, or of mappings from readings to actions, optional
+        At most 8; default: the first admissible ones, of those of equal risk one.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    InputError
+        If there are no rules, or more than 8.
+    UnknownLabelError, ShapeMismatchError
+        If a mapping does not fit the problem.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> test = DecisionProblem(
+    ...     ["good", "bad"], ["pass", "fail"], ["keep", "throw"],
+    ...     [["9/10", "1/10"], ["1/10", "9/10"]], [[0, 1], [5, 0]],
+    ... )
+    >>> ax = draw_risks(test, [{"pass": "keep", "fail": "throw"}], Figure().subplots())
+    >>> ax.lines[0].get_ydata().tolist(), ax.lines[0].get_label()
+    ([0.1, 0.5], 'pass: keep, fail: throw; at most 0.5000')
+    """
+    need_matplotlib()
+    problem = expect(problem, DecisionProblem, "a DecisionProblem")
+    chosen = _chosen_rules(problem, rules)
+    risks = [problem.risk(rule) for rule in chosen]
+    least = min(max(risk) for risk in risks)
+    ax = axes_or_new(ax, (5.6, 3.6 + 0.2 * len(chosen)))
+    places = range(len(problem.states))
+    for k, (rule, risk) in enumerate(zip(chosen, risks, strict=True)):
+        worst, heavy = max(risk), max(risk) == least and len(chosen) > 1
+        color = INK if heavy else STYLES["curve"].stroke
+        answers = ", ".join(f"{x}: {a}" for x, a in problem.answers(rule).items())
+        label = f"{answers:.60}; at most {number_decimal(worst)}" + ", minimax" * heavy
+        ax.plot(places, [float(r) for r in risk], label=label, color=color,
+                linewidth=2.2 if heavy else 1.2, linestyle=_DASHES[k], marker=_MARKERS[k],
+                markersize=5, clip_on=False)  # fmt: skip
+        ax.axhline(float(worst), color=STYLES["rule"].stroke, linewidth=0.7, zorder=1)
+    ax.set_xticks(places, [str(state) for state in problem.states])
+    if sum(len(str(state)) for state in problem.states) > 60:
+        ax.tick_params("x", labelrotation=90)
+    ax.set_ylim(min(0.0, *(float(min(risk)) for risk in risks)), None)
+    ax.set(xlabel="state", ylabel="risk")
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.01), fontsize=LETTERS, frameon=False)
+    return ax
+
+
+def _chosen_rules(
+    problem: DecisionProblem, rules: Sequence[Rule | Mapping[Any, Any]] | None
+) -> list[Rule]:
+    if rules is None:  # of rules of equal risk, whose curves would hide each other, one
+        by_risk = {problem.risk_table[rule]: rule for rule in problem.admissible_rules()[::-1]}
+        return list(by_risk.values())[::-1][:MOST_RULES]
+    for rule in expect(rules, Iterable, "a list of rules"):
+        expect(rule, Mapping | Sequence, "a mapping from readings to actions, or their numbers")
+    chosen = [problem.rule(rule) if isinstance(rule, Mapping) else tuple(rule) for rule in rules]
+    if not 1 <= len(chosen) <= MOST_RULES:
+        raise InputError(f"{len(chosen)} rules; accepted: 1 to {MOST_RULES}")
+    known = range(len(problem.actions))
+    for k, rule in enumerate(chosen, 1):
+        if len(rule) != len(problem.readings) or not all(a in known for a in rule):
+            raise InputError(
+                f"{rule!r:.60}; accepted: for each of {len(problem.readings)} readings the number "
+                f"of an action, 0 to {len(known) - 1}",
+                where=f"rule {k}",
+            )
+    return chosen
