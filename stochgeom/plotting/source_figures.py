@@ -12,7 +12,10 @@ from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, final
 
+from stochgeom.decision.decision_rules import DecisionProblem
+from stochgeom.decision.goal_costs import GoalCost
 from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.feeding.planner import plan_feeding
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
@@ -23,6 +26,11 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
+from stochgeom.plotting.decision_pictures import (
+    draw_open_loop_plans,
+    draw_risks,
+    draw_sensor_density,
+)
 from stochgeom.plotting.density_pictures import draw_beta_density
 from stochgeom.plotting.function_pictures import (
     draw_diameter,
@@ -40,8 +48,16 @@ from stochgeom.plotting.pictures import (
     draw_trace,
     draw_uncertain_grasp,
 )
+from stochgeom.plotting.stability_pictures import (
+    draw_grasp_diagram,
+    draw_push_density,
+    draw_push_stability,
+    draw_squeeze_stability,
+)
+from stochgeom.plotting.tilting_pictures import draw_tilts, draw_tray
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
+from stochgeom.thesis.chapter_6 import figure_6_4_model
 from stochgeom.thesis.figures_4 import figure_4_6
 from stochgeom.thesis.parts import catalogue_part
 from stochgeom.transfer.push import push_function
@@ -132,6 +148,26 @@ def _sensor_tree() -> str:
     return problem.compare_orders(1).sense_then_act.tree.svg()
 
 
+def _open_loop_plans() -> Axes:
+    third = ["1/3", "1/3", "1/3"]
+    push = [["1/4", "3/4", 0], [0, "1/4", "3/4"], [0, 0, 1]]
+    problem = PlanningProblem(
+        ["left", "middle", "right"], third, ["push", "shake"], {"push": push, "shake": [third] * 3},
+        GoalCost("right", actions="1/10"),
+    )  # fmt: skip
+    return draw_open_loop_plans(problem, 2)
+
+
+def _risks_of_two_rules() -> Axes:
+    """Return the risks of trusting a test, and of looking no further than the costs."""
+    test = DecisionProblem(
+        ["good", "bad"], ["pass", "fail"], ["keep", "throw"],
+        [["9/10", "1/10"], ["1/5", "4/5"]], [[0, 2], [3, 0]],
+    )  # fmt: skip
+    rules = [{"pass": "keep", "fail": "throw"}, {"pass": "keep", "fail": "keep"}]
+    return draw_risks(test, rules)
+
+
 def _figure_f_1() -> Axes:
     prior = PiecewisePrior.from_histogram(
         ["0", "60", "120", "180", "240", "300", "360"], [1, 3, 6, 4, 2, 1]
@@ -145,10 +181,17 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
      lambda: draw_sensed_blocks([1, 1, 1, 1, 1], [1, 2, 6, 2, 1])),
     ("1.3", "an action maps a distribution",
      lambda: draw_scooped_blocks([1, 1, 1, 1, 1], [1, 1, 1, 3, 3])),
+    ("2.1", "all plans of two actions, as a tree", _open_loop_plans),
     ("3.1", "a parallel-jaw gripper", draw_gripper),
     ("3.2", "a small error is cancelled", lambda: draw_uncertain_grasp(SQUARE, 0, "20")),
     ("3.3", "a large error is not", lambda: draw_uncertain_grasp(SQUARE, 0, "50")),
     ("3.4", "a square wedged, and stable", lambda: draw_sliding_jaw(SQUARE, 40)),
+    ("3.5", "push-stability diagram of the house",
+     lambda: draw_push_stability(catalogue_part("house"))),
+    ("3.6", "squeeze-stability diagram of the house, mu = 1/4",
+     lambda: draw_squeeze_stability(catalogue_part("house"), "1/4")),
+    ("3.7", "squeeze-grasp diagram of the house, mu = 1/4",
+     lambda: draw_grasp_diagram(catalogue_part("house"), "1/4")),
     ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
     ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
     ("4.4", "diameter and squeeze function of the 4gon", _diameter_and_squeeze),
@@ -162,11 +205,18 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("6.2", "the twelve states of a tile in a tray", draw_tray),
+    ("6.3", "outcomes of tilt 1 from state 7", lambda: draw_tilts(figure_6_4_model(), 7, [1])),
     ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
+    ("7.2", "density of a noisy sensor", lambda: draw_sensor_density(2, 1)),
+    ("7.3", "the readings of a 2-bit sensor", lambda: draw_sensor_density(2, 1, [1, 2, 3])),
+    ("A.1", "risks of two decision rules", _risks_of_two_rules),
     ("B.1", "the standard gripper", draw_gripper),
     ("B.2", "a hex nut wedged, and stable", lambda: draw_sliding_jaw(Part.regular(6), 20)),
     ("B.3", "the gripper with a sliding jaw", lambda: draw_gripper(sliding=True)),
     ("B.4", "it closes on a hex nut", lambda: draw_closing(Part.regular(6), 20)),
+    ("C.1", "density after a push of the house",
+     lambda: draw_push_density(catalogue_part("house"))),
     ("D.1", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
     ("D.2", "stable grasps of the 4gon", lambda: draw_stable_grasps(catalogue_part("4gon"))),
     ("E.1", "radius function of the 4gon", lambda: draw_radius(catalogue_part("4gon"))),
@@ -186,22 +236,12 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
 
 OPEN_FIGURES: Final = MappingProxyType(
     {
-        "fig2.1": "the tree of all plans: no drawing function",
-        "fig3.5": "push-stability diagram: no drawing function; numbers: stochgeom grasp",
-        "fig3.6": "squeeze-stability diagram: no drawing function; numbers: stochgeom grasp",
-        "fig3.7": "squeeze-grasp diagram: no drawing function; numbers: stochgeom grasp",
         "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
         "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
         "fig6.1": "side views of a robot that tilts a tray: no drawing function",
-        "fig6.2": "the twelve states in the tray: no drawing function",
-        "fig6.3": "outcomes of a tilt: no drawing function",
-        "fig7.2": "density of a noisy sensor: no drawing function",
-        "fig7.3": "outcomes of a 2-bit sensor: no drawing function",
-        "fig7.4": "the tree of all plans with sensors: no drawing function",
-        "figA.1": "risk of two decision rules: no drawing function",
-        "figC.1": "density after a push: no drawing function; numbers: density_after_push",
+        "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )
 """Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""

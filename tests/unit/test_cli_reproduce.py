@@ -127,11 +127,11 @@ class TestOutput:
         assert "32 printed numbers: 30 reproduced, 2 explained, 0 open" in shown
 
     def test_a_document(self, capsys):
-        assert main(["reproduce", "4.1", "fig3.5", "--json", "--digits", "2"]) == 0
+        assert main(["reproduce", "4.1", "fig4.2", "--json", "--digits", "2"]) == 0
         document = json.loads(capsys.readouterr().out)
         assert (document["reproduced"], document["explained"], document["open"]) == (30, 2, 0)
-        figure, table = document["items"]
-        assert (figure["name"], figure["picture"], figure["numbers"]) == ("fig3.5", "open", None)
+        table, figure = document["items"]
+        assert (figure["name"], figure["picture"], figure["numbers"]) == ("fig4.2", "open", None)
         wrong = [n for n in table["numbers"]["numbers"] if n["verdict"] == "explained"]
         assert [(n["row"], n["column"], n["computed"]) for n in wrong] == [
             ("4gon", "3-step", "10.57"),
