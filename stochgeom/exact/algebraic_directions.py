@@ -129,14 +129,22 @@ def _padded(row: tuple[mpq, ...], other: tuple[mpq, ...]) -> tuple[mpq, ...]:
 
 
 def _turns_near(x: Algebraic, y: Algebraic, order: int) -> int | None:
-    """Return the only k with arg(x + i y) = k / order turns that is possible, if any is."""
-    with working_precision(x.field.bits):
-        scaled: Ball = argument_ball(x, y) * order
-        nearest = float(scaled.mid())
-        radius = float(scaled.rad())
+    """Return the only k with arg(x + i y) = k / order turns that is possible, if any is.
+
+    Coefficients may cancel, so the precision grows until the enclosure is narrow.
+    """
+    bits = x.field.bits
+    while True:
+        with working_precision(bits):
+            scaled: Ball = argument_ball(x, y) * order
+            if scaled.is_finite() and scaled.rad() < _NEAR:
+                nearest = float(scaled.mid())
+                break
+        bits *= 2
     k = int(nearest + 0.5)
-    # float() rounds: both are off by a 2**-52nd of values below 2**12, far below _NEAR.
-    return k % order if abs(nearest - k) < _NEAR + radius else None
+    # The number is within _NEAR of the middle, and float() within a 2**-52nd of that, which is
+    # below 2**12: so if it is whole, it is k, and this distance is below 2 _NEAR.
+    return k % order if abs(nearest - k) < 2 * _NEAR else None
 
 
 def _is_along(ax: Any, ay: Any, bx: Any, by: Any) -> bool:

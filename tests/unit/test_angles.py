@@ -28,6 +28,7 @@ from stochgeom.exact.angles import (
     Angle,
     make_angle,
 )
+from stochgeom.exact.surds import exact_scalar
 
 TINY = Angle(0, (mpz(10) ** 400, 1))
 LONG = Angle(0, (mpz(10) ** 5000 + 3, mpz(10) ** 4999 + 1))
@@ -347,3 +348,16 @@ def test_floats_are_refused_everywhere():
             attempt()
     with pytest.raises(NumberError, match="degrees: 'right' is not a number"):
         Angle.from_degrees("right")
+
+
+def test_a_rational_turn_hidden_by_cancellation_is_found():
+    """A direction over Q(sqrt 2) times a number of 150 digits' cancellation, which is positive."""
+    root = exact_scalar("sqrt(2)")
+    p, q = 1, 1
+    for _ in range(400):
+        p, q = p + 2 * q, p + q
+    tiny = abs(p - q * root)
+    angle = Angle(0, (tiny * (1 + root), tiny))
+    assert angle == Angle.from_degrees("22.5")
+    assert angle.rational_turns == mpq(1, 16)
+    assert hash(angle) == hash(Angle.from_degrees("22.5"))
