@@ -5,12 +5,14 @@ from __future__ import annotations
 import mpmath
 import pytest
 from gmpy2 import mpq
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from stochgeom.exact.angles import Angle
 from stochgeom.feeding.planner import plan_feeding
 from stochgeom.geometry.part import Part
+from stochgeom.grasping.grasp_diagram import GraspDiagram
+from stochgeom.grasping.pushing_model import pushing_bound
 from stochgeom.transfer.push_grasp import push_grasp_function
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import field_parts, hulls
@@ -101,6 +103,18 @@ def test_turning_into_a_field_turns_the_function(part, turn):
     plan, other = plan_feeding(part), plan_feeding(turned)
     assert (plan.steps, plan.probability) == (other.steps, other.probability)
     assert other.verify()
+
+
+@settings(max_examples=max(10, FEW // 2))
+@given(hulls(most=6), st.sampled_from(["0", "1/20", "1/4", "1", "2"]), st.sampled_from(TURNS))
+def test_friction_sees_no_difference_either(part, mu, turn):
+    assume(part.center_of_mass_side == 1)
+    plain = GraspDiagram(part, mu)
+    for moved in (part.scale("1 + sqrt(2)"), part.multiply(turn[0])):
+        diagram = GraspDiagram(moved, mu)
+        assert diagram.bound == plain.bound
+        assert diagram.strict_bound == plain.strict_bound
+        assert pushing_bound(diagram).decimal(12) == pushing_bound(plain).decimal(12)
 
 
 @settings(max_examples=max(10, FEW // 2))
