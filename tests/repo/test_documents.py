@@ -35,6 +35,16 @@ def links_of(document: str) -> set[str]:
 
 
 @each_document
+def test_a_block_is_closed_before_the_next_heading(path):
+    inside = False
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if re.match(r" *```", line):
+            inside = not inside
+        assert not (inside and line.startswith("## ")), f"line {number}: {line}"
+    assert not inside
+
+
+@each_document
 def test_documents_name_existing_make_targets(path):
     assert commands_of_make(path.read_text(encoding="utf-8")) - make_targets() == set()
 
