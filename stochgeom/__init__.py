@@ -98,9 +98,7 @@ _NAMES = {
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
     "plotting.axes": "save_figure",
-    "plotting.decision_pictures": (
-        "draw_open_loop_plans draw_plan_tree draw_risks draw_sensor_density "
-    ),
+    "plotting.decision_pictures": "draw_risks draw_sensor_density",
     "plotting.density_pictures": "draw_beta_density",
     "plotting.friction_pictures": "draw_friction_bounds",
     "plotting.function_pictures": (
@@ -115,6 +113,8 @@ _NAMES = {
         "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "
     ),
     "plotting.tilting_pictures": "draw_tilts draw_tray",
+    "plotting.tree_pictures": "draw_all_plans draw_open_loop_plans draw_plan_tree",
+    "sensing.and_or_tree": "AndOrTree all_sensor_plans",
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",
     "sensing.decisions": "Decisions",
     "sensing.diameter_sensor": "diameter_sensor",

@@ -131,8 +131,6 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis as draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import save_figure as save_figure
-from stochgeom.plotting.decision_pictures import draw_open_loop_plans as draw_open_loop_plans
-from stochgeom.plotting.decision_pictures import draw_plan_tree as draw_plan_tree
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
 from stochgeom.plotting.decision_pictures import draw_sensor_density as draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
@@ -159,6 +157,11 @@ from stochgeom.plotting.stability_pictures import draw_push_stability as draw_pu
 from stochgeom.plotting.stability_pictures import draw_squeeze_stability as draw_squeeze_stability
 from stochgeom.plotting.tilting_pictures import draw_tilts as draw_tilts
 from stochgeom.plotting.tilting_pictures import draw_tray as draw_tray
+from stochgeom.plotting.tree_pictures import draw_all_plans as draw_all_plans
+from stochgeom.plotting.tree_pictures import draw_open_loop_plans as draw_open_loop_plans
+from stochgeom.plotting.tree_pictures import draw_plan_tree as draw_plan_tree
+from stochgeom.sensing.and_or_tree import AndOrTree as AndOrTree
+from stochgeom.sensing.and_or_tree import all_sensor_plans as all_sensor_plans
 from stochgeom.sensing.calibration import CalibrationProblem as CalibrationProblem
 from stochgeom.sensing.calibration import calibration_problem as calibration_problem
 from stochgeom.sensing.calibration import expected_entropy as expected_entropy

@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Final, final
 
 from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.decision.goal_costs import GoalCost
+from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.plan_costs import PlanCost
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.feeding.planner import plan_feeding
 from stochgeom.feeding.plans import FeedingPlan
@@ -26,11 +28,7 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
-from stochgeom.plotting.decision_pictures import (
-    draw_open_loop_plans,
-    draw_risks,
-    draw_sensor_density,
-)
+from stochgeom.plotting.decision_pictures import draw_risks, draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density
 from stochgeom.plotting.function_pictures import (
     draw_diameter,
@@ -55,7 +53,10 @@ from stochgeom.plotting.stability_pictures import (
     draw_squeeze_stability,
 )
 from stochgeom.plotting.tilting_pictures import draw_tilts, draw_tray
+from stochgeom.plotting.tree_pictures import draw_all_plans, draw_open_loop_plans
+from stochgeom.sensing.and_or_tree import all_sensor_plans
 from stochgeom.sensing.sensing_problem import SensingProblem
+from stochgeom.sensing.sensors import Sensor
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
 from stochgeom.thesis.chapter_6 import figure_6_4_model
 from stochgeom.thesis.figures_4 import figure_4_6
@@ -148,14 +149,27 @@ def _sensor_tree() -> str:
     return problem.compare_orders(1).sense_then_act.tree.svg()
 
 
-def _open_loop_plans() -> Axes:
+def _push_and_shake(cost: PlanCost) -> PlanningProblem:
+    """Return a problem of three states in a row: a push moves to the right, mostly."""
     third = ["1/3", "1/3", "1/3"]
     push = [["1/4", "3/4", 0], [0, "1/4", "3/4"], [0, 0, 1]]
-    problem = PlanningProblem(
+    return PlanningProblem(
         ["left", "middle", "right"], third, ["push", "shake"], {"push": push, "shake": [third] * 3},
-        GoalCost("right", actions="1/10"),
+        cost,
     )  # fmt: skip
-    return draw_open_loop_plans(problem, 2)
+
+
+def _open_loop_plans() -> Axes:
+    return draw_open_loop_plans(_push_and_shake(GoalCost("right", actions="1/10")), 2)
+
+
+def _all_plans() -> Axes:
+    """Return all plans of two moves: to push, to shake, to look whether it is at the right."""
+    problem = _push_and_shake(IterativeCost("right", actions=1, test=2))
+    eye = Sensor.from_function(
+        problem.states, lambda state: "yes" if state == "right" else "no", cost="1/10"
+    )
+    return draw_all_plans(all_sensor_plans(problem, eye, 2), digits=2)
 
 
 def _risks_of_two_rules() -> Axes:
@@ -210,6 +224,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
     ("7.2", "density of a noisy sensor", lambda: draw_sensor_density(2, 1)),
     ("7.3", "the readings of a 2-bit sensor", lambda: draw_sensor_density(2, 1, [1, 2, 3])),
+    ("7.4", "all plans of two moves, sensing or acting, as a tree", _all_plans),
     ("A.1", "risks of two decision rules", _risks_of_two_rules),
     ("B.1", "the standard gripper", draw_gripper),
     ("B.2", "a hex nut wedged, and stable", lambda: draw_sliding_jaw(Part.regular(6), 20)),
@@ -241,7 +256,6 @@ OPEN_FIGURES: Final = MappingProxyType(
         "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
         "fig6.1": "side views of a robot that tilts a tray: no drawing function",
-        "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )
 """Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""

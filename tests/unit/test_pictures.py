@@ -41,6 +41,7 @@ EYE = sg.Sensor.perfect(["0", "1"])
 TILTS = sg.figure_6_4_model()
 
 DRAWINGS = {
+    "draw_all_plans": lambda ax: sg.draw_all_plans(sg.all_sensor_plans(COIN, EYE, 1), ax),
     "draw_analysis": lambda ax: sg.draw_analysis(sg.FeedingProblem(RECTANGLE), ax and [ax] * 3)[0],
     "draw_beta_density": lambda ax: sg.draw_beta_density(4, 1, ax),
     "draw_closing": lambda ax: sg.draw_closing(NUT, 15, ax),
@@ -321,6 +322,7 @@ class TestOnAxes:
             (lambda: sg.draw_open_loop_plans(COIN, 0), InputError, "0 stages; accepted: whole"),
             (lambda: sg.draw_open_loop_plans(COIN, 7), NodeLimitError, r"2\^7 plans.* at most 81"),
             (lambda: sg.draw_plan_tree(COIN), InputError, "not PlanTree"),
+            (lambda: sg.draw_all_plans(COIN), InputError, "not AndOrTree"),
             (lambda: sg.draw_risks(COIN), InputError, "not DecisionProblem"),
             (lambda: sg.draw_risks(TEST, []), InputError, "0 rules; accepted: 1 to 8"),
             (lambda: sg.draw_risks(TEST, 5), InputError, "not Iterable; accepted: a list of rules"),
