@@ -158,5 +158,5 @@ def _number(text: str | None, where: str, *, exact: bool) -> Any:
 
 def _whole(text: str, where: str) -> int:
     if re.fullmatch(r"[0-9]{1,9}", text) is None:
-        raise InputError(f"{text[:60]!r}; accepted: a whole number", where=where)
+        raise InputError(f"{text[:60]!r}; accepted: a whole number from 0 on", where=where)
     return int(text)

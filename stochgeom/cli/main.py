@@ -133,7 +133,8 @@ def _report(error: errors.StochgeomError, *, wants_json: bool) -> int:
         kind = type(error).__name__
         detail = {"type": kind, "message": error.message, "where": error.where}
         write_json({"error": detail}, indent=None)
-    return EXIT_BAD_INPUT if isinstance(error, errors.InputError) else EXIT_FAILED
+    asked_too_much = isinstance(error, errors.InputError | errors.MissingExtraError)
+    return EXIT_BAD_INPUT if asked_too_much else EXIT_FAILED
 
 
 def _complain(text: str) -> None:

@@ -5,6 +5,7 @@ Order: tables, figures, then equations, theorems and prose, each by place in the
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, final
@@ -126,7 +127,7 @@ def find_errata(query: str | None = None) -> tuple[ErratumEntry, ...]:
     if query is None:
         return ERRATA
     text = query.strip()
-    if text.isascii() and text.isdigit() and len(text) <= MOST_DIGITS:
+    if re.fullmatch(rf"[+-]?[0-9]{{1,{MOST_DIGITS}}}", text):
         found = tuple(entry for entry in ERRATA if entry.number == int(text))
     else:
         found = tuple(entry for entry in ERRATA if text and text.casefold() in _searched(entry))

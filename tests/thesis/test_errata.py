@@ -113,9 +113,12 @@ class TestFinding:
         assert [entry.number for entry in find_errata("3")] == [3]
         assert [entry.erratum.where for entry in find_errata("eq. 7.5")] == ["Eq. 7.5"]
         assert find_errata(None) == ERRATA
+        assert [entry.number for entry in find_errata(" +3 ")] == [3]
         assert len(find_errata("table 4.1")) >= 2
 
-    @pytest.mark.parametrize("query", ["0", "999", "99999999999", "", "  ", "no such text", "²"])
+    @pytest.mark.parametrize(
+        "query", ["0", "999", "-1", "99999999999", "", "  ", "no such text", "²"]
+    )
     def test_none(self, query):
         with pytest.raises(
             UnknownErratumError, match=f"accepted: a number from 1 to {len(ERRATA)}"

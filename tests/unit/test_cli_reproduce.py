@@ -12,7 +12,7 @@ from gmpy2 import mpq
 
 import stochgeom.thesis.reproductions as reproductions
 from stochgeom.cli.main import main
-from stochgeom.cli.reproduce_command import chosen_names, file_stem
+from stochgeom.cli.reproduce_command import chosen_names, file_stem, left_out
 from stochgeom.cli.reproduce_files import ResultFolder
 from stochgeom.errors import UnknownReproductionError, WriteError
 from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
@@ -90,6 +90,8 @@ class TestNames:
             ("FIGURE 4.6", "fig4.6"),
             ("section 5.9", "sec5.9"),
             ("c.1", "C.1"),
+            ("table-4.1", "4.1"),
+            ("fig-E.5", "figE.5"),
             ("?", "?"),
         ],
     )
@@ -118,6 +120,20 @@ class TestNames:
             chosen_names(names, every=False, long=False)
         assert all(name in str(caught.value) for name in ("4.1", "fig4.6", "sec4.8", "figC.1"))
 
+    @pytest.mark.parametrize(
+        ("text", "meant"),
+        [
+            ("4.6", "fig4.6"),
+            ("7.2", "fig7.2 or sec7.2"),
+            ("sec4.1", "4.1 or fig4.1"),
+            ("fig3.1x", None),
+        ],
+    )
+    def test_a_number_alone_names_what_has_it(self, text, meant):
+        accepted = "accepted: .*3.1, fig3.1" if meant is None else f"accepted: {meant}, as it seems"
+        with pytest.raises(UnknownReproductionError, match=accepted):
+            chosen_names([text], every=False, long=False)
+
 
 class TestOutput:
     def test_a_table(self, capsys):
@@ -125,6 +141,19 @@ class TestOutput:
         shown = capsys.readouterr().out
         assert "10.5748 [16.0](1)" in shown
         assert "32 printed numbers: 30 reproduced, 2 explained, 0 open" in shown
+
+    def test_what_is_left_out_is_told(self, capsys, monkeypatch):
+        monkeypatch.setattr(
+            "stochgeom.cli.reproduce_command.chosen_names", lambda *_, **__: ["4.1"]
+        )
+        assert main(["reproduce", "--all"]) == 0
+        shown = capsys.readouterr().out
+        assert (
+            "left out without --long: Section 4.8, Section 5.9, Table 6.1, Section B.2\n" in shown
+        )
+        assert left_out(["sec4.8", "4.1"]) == ["sec5.9", "6.1", "secB.2"]
+        assert main(["reproduce", "4.1"]) == 0
+        assert "left out" not in capsys.readouterr().out
 
     def test_a_document(self, capsys):
         assert main(["reproduce", "4.1", "fig4.2", "--json", "--digits", "2"]) == 0
@@ -250,6 +279,6 @@ class TestBadInput:
     ):
         monkeypatch.chdir(tmp_path)
         monkeypatch.setitem(sys.modules, module, None)
-        assert main(["reproduce", *arguments]) == 1
+        assert main(["reproduce", *arguments]) == 2
         assert f"stochgeom[{extra}]" in capsys.readouterr().err
         assert entries(tmp_path) == []
