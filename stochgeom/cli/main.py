@@ -16,6 +16,7 @@ from importlib import import_module
 from typing import Any, NoReturn
 
 import stochgeom.errors as errors
+from stochgeom.cli.help_text import HelpFormatter
 from stochgeom.cli.output import write_json
 from stochgeom.io.rings import showable
 
@@ -52,7 +53,7 @@ class UsageError(errors.InputError):
 class _Parser(argparse.ArgumentParser):
     def __init__(self, **settings: Any) -> None:
         # An abbreviated option would change its meaning once another begins alike.
-        super().__init__(**settings, allow_abbrev=False)
+        super().__init__(**{"formatter_class": HelpFormatter} | settings, allow_abbrev=False)
 
     def error(self, message: str) -> NoReturn:
         about = _ABOUT_ARGUMENT.fullmatch(message)
