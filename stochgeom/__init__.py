@@ -114,7 +114,7 @@ _NAMES = {
     "plotting.stability_pictures": (
         "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "
     ),
-    "plotting.tilting_pictures": "draw_tilts draw_tray",
+    "plotting.tilting_pictures": "draw_tilting draw_tilts draw_tray",
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",
     "sensing.decisions": "Decisions",
     "sensing.diameter_sensor": "diameter_sensor",

@@ -157,6 +157,7 @@ from stochgeom.plotting.stability_pictures import draw_grasp_diagram as draw_gra
 from stochgeom.plotting.stability_pictures import draw_push_density as draw_push_density
 from stochgeom.plotting.stability_pictures import draw_push_stability as draw_push_stability
 from stochgeom.plotting.stability_pictures import draw_squeeze_stability as draw_squeeze_stability
+from stochgeom.plotting.tilting_pictures import draw_tilting as draw_tilting
 from stochgeom.plotting.tilting_pictures import draw_tilts as draw_tilts
 from stochgeom.plotting.tilting_pictures import draw_tray as draw_tray
 from stochgeom.sensing.calibration import CalibrationProblem as CalibrationProblem

@@ -54,7 +54,7 @@ from stochgeom.plotting.stability_pictures import (
     draw_push_stability,
     draw_squeeze_stability,
 )
-from stochgeom.plotting.tilting_pictures import draw_tilts, draw_tray
+from stochgeom.plotting.tilting_pictures import draw_tilting, draw_tilts, draw_tray
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
 from stochgeom.thesis.chapter_6 import figure_6_4_model
@@ -205,6 +205,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("6.1", "a robot tilts a tray, from the side", draw_tilting),
     ("6.2", "the twelve states of a tile in a tray", draw_tray),
     ("6.3", "outcomes of tilt 1 from state 7", lambda: draw_tilts(figure_6_4_model(), 7, [1])),
     ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
@@ -240,7 +241,6 @@ OPEN_FIGURES: Final = MappingProxyType(
         "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
-        "fig6.1": "side views of a robot that tilts a tray: no drawing function",
         "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )
