@@ -71,6 +71,13 @@ Drawing = Callable[[], "Axes | str"]
 
 SQUARE: Final = ((0, 0), (1, 0), (1, 1), (0, 1))
 
+NINE_SIDED: Final = ((0, 1), (2, 0), (3, 0), (7, 1), (8, 3), (7, 5), (5, 8), (1, 6), (0, 2))
+"""A stand-in for the part of Fig. 5.11, of which the source prints no number.
+
+Ours, not the source's, so it is no part of the catalogue: convex, without parallel edges, seven
+steps in half a turn, and five squeezes orient it up to symmetry.
+"""
+
 
 @final
 @dataclass(frozen=True, slots=True)
@@ -131,6 +138,12 @@ def _squeezes(name: str) -> StepFunction:
 
 def _analysis(name: str) -> Axes:
     return _first(draw_analysis(FeedingProblem(catalogue_part(name))))
+
+
+def _nine_sided_analysis() -> Axes:
+    top, *_ = draw_analysis(FeedingProblem(Part(NINE_SIDED)))
+    top.set_title("a 9-sided stand-in: the source prints no number of its part")
+    return top
 
 
 def _push_grasp_analysis(name: str) -> Axes:
@@ -205,6 +218,8 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("5.11", "geometric analysis of a 9-sided stand-in, the source's part being lost",
+     _nine_sided_analysis),
     ("6.1", "a robot tilts a tray, from the side", draw_tilting),
     ("6.2", "the twelve states of a tile in a tray", draw_tray),
     ("6.3", "outcomes of tilt 1 from state 7", lambda: draw_tilts(figure_6_4_model(), 7, [1])),
@@ -240,7 +255,6 @@ OPEN_FIGURES: Final = MappingProxyType(
         "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
         "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
         "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )

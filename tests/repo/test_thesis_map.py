@@ -16,7 +16,6 @@ ROWS = map_rows()
 OPEN = {
     "Fig. 4.2",
     "Fig. 5.5, 5.6",
-    "Fig. 5.11",
     "Fig. 7.4",
     "Def. 4.1, D.1 (curved parts)",
 }

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 import numpy as np
 import pytest
 
+from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.geometry.part import Part
+from stochgeom.plotting.source_figures import NINE_SIDED, SOURCE_FIGURES
 from stochgeom.plotting.tilting_scenes import does_slide, tilting_scene
+from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from stochgeom.tilting.tray import TraySetup
 from tests.scene_checks import overlapping_labels
 
@@ -63,3 +68,36 @@ class TestTilting:
             tip, *back = tilting_scene(setup).of_style("arrowhead")[-1].points
             assert all(tip[1] < y for _, y in back)
             assert tip[0] == pytest.approx(sum(x for x, _ in back) / 2)
+
+
+class TestNineSided:
+    """The stand-in for the part of Fig. 5.11."""
+
+    def test_it_is_generic(self):
+        part = Part(NINE_SIDED)
+        assert len(part) == len(part.hull) == 9
+        edges = [
+            (a - c, b - d)
+            for (a, b), (c, d) in zip(NINE_SIDED, NINE_SIDED[1:] + NINE_SIDED[:1], strict=True)
+        ]
+        assert all(x * v != y * u for (x, y), (u, v) in combinations(edges, 2))
+        problem = FeedingProblem(part)
+        assert (len(problem.transfer), problem.transfer.order) == (7, 2)
+        assert [p.width.degrees(1) for p in problem.preimages] == [
+            "37.2", "70.8", "124.6", "165.0", "180.0"
+        ]  # fmt: skip
+        assert problem.geometric_plan().verify()
+
+    def test_it_is_said_to_be_a_stand_in(self):
+        assert Part(NINE_SIDED) not in [catalogue_part(name) for name in catalogue_names()]
+        figure = SOURCE_FIGURES["fig5.11"]
+        assert "stand-in" in figure.title
+        pytest.importorskip("matplotlib")
+        import matplotlib as mpl
+
+        mpl.use("Agg")
+        import matplotlib.pyplot as plt
+
+        axes = figure.draw()
+        assert "stand-in" in axes.get_title()
+        plt.close(axes.get_figure())
