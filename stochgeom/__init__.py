@@ -63,6 +63,7 @@ _NAMES = {
     "exact.vectors": "AngleVector",
     "feeding.actions": "Action",
     "feeding.adversarial": "FAMILIES",
+    "feeding.closures": "Closure closure_of",
     "feeding.grasp_costs": "plan_weighing_grasps stability_costs",
     "feeding.gripper_error": "ErrorBound",
     "feeding.nearby_courses": "PartErrorReport",
@@ -98,6 +99,7 @@ _NAMES = {
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
     "plotting.axes": "save_figure",
+    "plotting.closure_pictures": "draw_closure draw_monotone_step",
     "plotting.decision_pictures": (
         "draw_open_loop_plans draw_plan_tree draw_risks draw_sensor_density "
     ),

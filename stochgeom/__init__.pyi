@@ -72,6 +72,8 @@ from stochgeom.exact.surds import exact_scalar as exact_scalar
 from stochgeom.exact.vectors import AngleVector as AngleVector
 from stochgeom.feeding.actions import Action as Action
 from stochgeom.feeding.adversarial import FAMILIES as FAMILIES
+from stochgeom.feeding.closures import Closure as Closure
+from stochgeom.feeding.closures import closure_of as closure_of
 from stochgeom.feeding.grasp_costs import plan_weighing_grasps as plan_weighing_grasps
 from stochgeom.feeding.grasp_costs import stability_costs as stability_costs
 from stochgeom.feeding.gripper_error import ErrorBound as ErrorBound
@@ -131,6 +133,8 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis as draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import save_figure as save_figure
+from stochgeom.plotting.closure_pictures import draw_closure as draw_closure
+from stochgeom.plotting.closure_pictures import draw_monotone_step as draw_monotone_step
 from stochgeom.plotting.decision_pictures import draw_open_loop_plans as draw_open_loop_plans
 from stochgeom.plotting.decision_pictures import draw_plan_tree as draw_plan_tree
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks

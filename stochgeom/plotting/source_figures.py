@@ -26,6 +26,7 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
+from stochgeom.plotting.closure_pictures import draw_closure, draw_monotone_step
 from stochgeom.plotting.decision_pictures import (
     draw_open_loop_plans,
     draw_risks,
@@ -215,6 +216,9 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.3", "its widest step", lambda: draw_phase_one(_squeezes("rectangle"), 1)),
     ("5.4", "the widest arc with a narrower image",
      lambda: draw_phase_one(_squeezes("rectangle"), 2)),
+    ("5.5", "the closure of a set that the plan of the 4gon collapses",
+     lambda: draw_closure(_plan("4gon"))),
+    ("5.6", "its parts keep their order under a step", lambda: draw_monotone_step(_plan("4gon"))),
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
@@ -253,8 +257,6 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
 OPEN_FIGURES: Final = MappingProxyType(
     {
         "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
-        "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
         "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )

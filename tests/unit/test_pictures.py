@@ -44,6 +44,7 @@ DRAWINGS = {
     "draw_analysis": lambda ax: sg.draw_analysis(sg.FeedingProblem(RECTANGLE), ax and [ax] * 3)[0],
     "draw_beta_density": lambda ax: sg.draw_beta_density(4, 1, ax),
     "draw_closing": lambda ax: sg.draw_closing(NUT, 15, ax),
+    "draw_closure": lambda ax: sg.draw_closure(sg.plan_feeding(RECTANGLE), ax),
     "draw_diameter": lambda ax: sg.draw_diameter(RECTANGLE, ax),
     "draw_distribution": lambda ax: sg.draw_distribution(
         sg.plan_feeding(RECTANGLE).distribution(), ax
@@ -53,6 +54,7 @@ DRAWINGS = {
     "draw_grasp": lambda ax: sg.draw_grasp(RECTANGLE, "12.5", ax),
     "draw_grasp_diagram": lambda ax: sg.draw_grasp_diagram(RECTANGLE, "1/4", ax),
     "draw_gripper": lambda ax: sg.draw_gripper(ax, sliding=True),
+    "draw_monotone_step": lambda ax: sg.draw_monotone_step(sg.plan_feeding(RECTANGLE), ax, step=2),
     "draw_open_loop_plans": lambda ax: sg.draw_open_loop_plans(COIN, 2, ax),
     "draw_part": lambda ax: sg.draw_part(RECTANGLE, ax),
     "draw_phase_one": lambda ax: sg.draw_phase_one(sg.squeeze_function(RECTANGLE), 2, ax),
@@ -281,6 +283,12 @@ class TestOnAxes:
                 "'axes' is of type str, not Axes",
             ),
             (lambda: sg.draw_trace(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
+            (lambda: sg.draw_closure(RECTANGLE), InputError, "no FeedingPlan; accepted: one"),
+            (
+                lambda: sg.draw_monotone_step(sg.plan_feeding(RECTANGLE), step=3),
+                InputError,
+                "3 as the number of an action; accepted: whole numbers from 1 to 2",
+            ),
             (lambda: sg.draw_funnel(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
             (lambda: sg.draw_funnel(sg.plan_feeding(RECTANGLE), prior="30"), InputError, "Prior"),
             (lambda: sg.draw_step_function(RECTANGLE), InputError, "not StepFunction"),

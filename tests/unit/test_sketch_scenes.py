@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 import math
-from itertools import combinations
+from dataclasses import replace
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from stochgeom.exact.angles import Angle
+from stochgeom.feeding.closures import closure_of
+from stochgeom.feeding.planner import plan_transfer
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.part import Part
+from stochgeom.plotting.closure_scenes import closure_scene
+from stochgeom.plotting.curves import in_degrees
+from stochgeom.plotting.monotone_scenes import monotone_step_scene
+from stochgeom.plotting.scene import Disc
 from stochgeom.plotting.source_figures import NINE_SIDED, SOURCE_FIGURES
 from stochgeom.plotting.tilting_scenes import does_slide, tilting_scene
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from stochgeom.tilting.tray import TraySetup
+from stochgeom.transfer.step_function import StepFunction
 from tests.scene_checks import overlapping_labels
+from tests.strategies import pushable_parts
 
 SETUPS = [
     TraySetup(),
@@ -101,3 +113,103 @@ class TestNineSided:
         axes = figure.draw()
         assert "stand-in" in axes.get_title()
         plt.close(axes.get_figure())
+
+
+def sweep(polygon) -> tuple[float, float]:
+    """Return where a sector drawn about the origin begins, and how wide it is, in degrees."""
+    outer = polygon.points[: len(polygon.points) // 2]
+    angles = np.unwrap([math.atan2(y, x) for x, y in outer])
+    return math.degrees(angles[0]) % 360, math.degrees(angles[-1] - angles[0])
+
+
+def across(shape, axis: int) -> tuple[float, float]:
+    """Return the extent of a bar or of the middle of a dot along an axis."""
+    points = [shape.center] if isinstance(shape, Disc) else shape.points
+    values = [point[axis] for point in points]
+    return min(values), max(values)
+
+
+class TestClosures:
+    """Thesis Figs. 5.5 and 5.6."""
+
+    @given(pushable_parts(), st.sampled_from(["squeeze", "push-grasp"]))
+    @settings(max_examples=40)
+    def test_of_any_part(self, part, action):
+        plan = FeedingProblem(part, action).optimal_plan()
+        closure = closure_of(plan)
+        scene = closure_scene(plan, closure)
+        assert overlapping_labels(scene) == []
+        assert any("Θb as well" in text for text in scene.labels())
+        # The gap among the bars of the set, then the swatches.
+        first, last, *_ = scene.of_style("bar")
+        gap, *_ = scene.of_style("funnel")
+        parts = ((closure.first, first), (closure.gap, gap), (closure.last, last))
+        for arc, sector in parts:
+            start, width = sweep(sector)
+            off = (start - in_degrees(arc.start) + 180) % 360 - 180
+            assert off == pytest.approx(0, abs=1e-6)
+            assert width == pytest.approx(in_degrees(arc.width))
+        for step in range(1, plan.steps + 1):
+            assert overlapping_labels(monotone_step_scene(plan, closure, step)) == []
+
+    @given(pushable_parts(), st.sampled_from(["squeeze", "push-grasp"]))
+    @settings(max_examples=40)
+    def test_the_graph_brings_what_is_below_to_what_is_beside(self, part, action):
+        """Read off the picture: the steps drawn over a bar have the heights of its image."""
+        plan = FeedingProblem(part, action).optimal_plan()
+        scene = monotone_step_scene(plan, closure_of(plan))
+        steps = [(*across(line, 0), line.points[0][1]) for line in scene.of_style("step")]
+        before, after = rows_and_columns(scene)
+        for row, column in zip(before, after, strict=True):
+            low, high = across(row, 0)
+            over = [y for a, b, y in steps if min(b, high) - max(a, low) > 1e-9 * (high - low)]
+            assert (min(over), max(over)) == pytest.approx(across(column, 1))
+        for one, other in pairwise(before):
+            assert across(one, 0)[1] <= across(other, 0)[0] + 1e-9
+        for one, other in pairwise(after):
+            assert across(one, 1)[1] <= across(other, 1)[0] + 1e-9
+
+    def test_what_an_action_leaves_the_next_one_takes(self):
+        plan = FeedingProblem(catalogue_part("4gon")).geometric_plan()
+        told = []
+        for step in range(1, 5):
+            scene = monotone_step_scene(plan, closure_of(plan), step)
+            texts = [text for text in scene.labels() if text.startswith("Θ")]
+            assert len(texts) == 6
+            told.append((texts[:3], texts[3:]))
+            assert scene.labels().index("before") < scene.labels().index("after")
+        assert told[0][1] == ["Θa: 176.70°", "Θb: 201.57° to 258.11°", "Θc: 270.99°"]
+        for (_, after), (before, _) in pairwise(told):
+            assert after == before
+        assert told[-1][1] == ["Θa: 90.99°", "Θb: 90.99°", "Θc: 90.99°"]
+
+    def test_the_text_does_not_take_the_lemma_for_granted(self):
+        """A closure that no plan makes: its gap ends elsewhere, and the picture says so."""
+        plan = FeedingProblem(catalogue_part("4gon")).geometric_plan()
+        closure = closure_of(plan)
+        *others, (first, gap, last) = closure.images
+        moved = (first, gap.rotate(Angle.from_degrees(1)), last)
+        wrong = replace(closure, images=(*others, moved))
+        assert "to 90.99°, but not Θb" in closure_scene(plan, wrong).labels()
+
+    def test_many_steps_are_one_line(self):
+        """Seventy steps of 5 degrees that rise by one: half a turn has more than are marked."""
+        breaks = [Angle.from_degrees(5 * k) for k in range(70)]
+        plan = plan_transfer(StepFunction(breaks, [Angle.from_degrees(k) for k in range(70)]))
+        scene = monotone_step_scene(plan, closure_of(plan))
+        assert len(scene.of_style("step")) == 1
+        assert overlapping_labels(scene) == []
+        assert "3 actions bring Θa and Θc" in closure_scene(plan, closure_of(plan)).labels()
+
+
+def rows_and_columns(scene):
+    """Return the three arcs under a graph and the three beside it."""
+    side = max(y for polygon in scene.of_style("frame") for _, y in polygon.points)
+    marks = [*scene.of_style("bar"), *scene.of_style("funnel")]
+    before = sorted(
+        (mark for mark in marks if across(mark, 1)[1] < 0), key=lambda mark: -across(mark, 1)[0]
+    )
+    after = sorted(
+        (mark for mark in marks if across(mark, 0)[0] > side), key=lambda mark: across(mark, 0)[0]
+    )
+    return before, after
