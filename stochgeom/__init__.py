@@ -104,6 +104,7 @@ _NAMES = {
         "draw_open_loop_plans draw_plan_tree draw_risks draw_sensor_density "
     ),
     "plotting.density_pictures": "draw_beta_density",
+    "plotting.feeder_pictures": "draw_feeder",
     "plotting.friction_pictures": "draw_friction_bounds",
     "plotting.function_pictures": (
         "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "

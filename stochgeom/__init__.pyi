@@ -140,6 +140,7 @@ from stochgeom.plotting.decision_pictures import draw_plan_tree as draw_plan_tre
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
 from stochgeom.plotting.decision_pictures import draw_sensor_density as draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
+from stochgeom.plotting.feeder_pictures import draw_feeder as draw_feeder
 from stochgeom.plotting.friction_pictures import draw_friction_bounds as draw_friction_bounds
 from stochgeom.plotting.function_pictures import draw_diameter as draw_diameter
 from stochgeom.plotting.function_pictures import draw_distribution as draw_distribution

@@ -33,6 +33,7 @@ from stochgeom.plotting.decision_pictures import (
     draw_sensor_density,
 )
 from stochgeom.plotting.density_pictures import draw_beta_density
+from stochgeom.plotting.feeder_pictures import draw_feeder
 from stochgeom.plotting.function_pictures import (
     draw_diameter,
     draw_radius,
@@ -207,6 +208,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("3.7", "squeeze-grasp diagram of the house, mu = 1/4",
      lambda: draw_grasp_diagram(catalogue_part("house"), "1/4")),
     ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
+    ("4.2", "a feeder that carries out the plan of the 4gon", lambda: draw_feeder(_plan("4gon"))),
     ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
     ("4.4", "diameter and squeeze function of the 4gon", _diameter_and_squeeze),
     ("4.5", "two squeezes of the house", lambda: draw_trace(_plan("house"))),
@@ -254,9 +256,8 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("G.4", "Beta density, alpha = 4, 1", lambda: draw_beta_density(4, 1)),
 )  # fmt: skip
 
-OPEN_FIGURES: Final = MappingProxyType(
+OPEN_FIGURES: Final[Mapping[str, str]] = MappingProxyType(
     {
-        "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
         "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
     }
 )

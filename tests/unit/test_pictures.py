@@ -49,6 +49,7 @@ DRAWINGS = {
     "draw_distribution": lambda ax: sg.draw_distribution(
         sg.plan_feeding(RECTANGLE).distribution(), ax
     ),
+    "draw_feeder": lambda ax: sg.draw_feeder(sg.plan_feeding(RECTANGLE), ax, parts=2),
     "draw_friction_bounds": lambda ax: sg.draw_friction_bounds(RECTANGLE, ax),
     "draw_funnel": lambda ax: sg.draw_funnel(sg.plan_feeding(RECTANGLE), ax),
     "draw_grasp": lambda ax: sg.draw_grasp(RECTANGLE, "12.5", ax),
@@ -288,6 +289,12 @@ class TestOnAxes:
                 lambda: sg.draw_monotone_step(sg.plan_feeding(RECTANGLE), step=3),
                 InputError,
                 "3 as the number of an action; accepted: whole numbers from 1 to 2",
+            ),
+            (lambda: sg.draw_feeder(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
+            (
+                lambda: sg.draw_feeder(sg.plan_feeding(RECTANGLE), seed=None),
+                InputError,
+                "None as the seed",
             ),
             (lambda: sg.draw_funnel(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
             (lambda: sg.draw_funnel(sg.plan_feeding(RECTANGLE), prior="30"), InputError, "Prior"),
