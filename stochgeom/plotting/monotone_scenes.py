@@ -46,11 +46,13 @@ def monotone_step_scene(plan: FeedingPlan, closure: Closure, step: int = 1) -> S
     steps = _portion(plan, alpha, before, after)
     panel = Panel(0.0, 0.0, _SIDE, _SIDE, *_ranges(steps))
     scene = Scene()
+    # A number at the very bottom would meet the first one below.
+    heights = [y for y in angle_ticks(*panel.y) if panel.at(0.0, y)[1] > 0.5 * TEXT]
     panel.frame(
         scene,
         title=f"{plan.action_name} {step}, turned by {shown_degrees(alpha.degrees(2))}",
         x_ticks=angle_ticks(*panel.x),
-        y_ticks=angle_ticks(*panel.y),
+        y_ticks=heights,
         y_unit="°",
     )
     _add_steps(scene, panel, steps)

@@ -29,6 +29,7 @@ from stochgeom.plotting.feeder_scenes import (
     stations_of,
 )
 from stochgeom.plotting.silhouettes import silhouette
+from stochgeom.plotting.source_figures import NINE_SIDED
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from tests.scene_checks import overlapping_labels
 from tests.strategies import pushable_parts
@@ -156,12 +157,14 @@ class TestTheFilter:
         assert same(refused[2], final + 180)
 
     def test_the_likeliest_come_first_and_some_are_left_out(self):
-        plan = FeedingProblem(catalogue_part("key")).plan_of(1)
-        scene = feeder_scene(feeder(plan, 3))
+        plan = FeedingProblem(Part(NINE_SIDED)).plan_of(1)
+        scene = feeder_scene(feeder(plan, 12))
         shares = [text for text in scene.labels() if text.startswith("0.")]
-        assert "in 7 orientations" in scene.labels()
-        assert 1 <= len(shares) < 7
+        assert "in 13 orientations" in scene.labels()
+        assert 1 < len(set(shares)) < len(shares) < 13
         assert shares == sorted(shares, reverse=True)
+        # Half a turn from the final orientation, and as likely.
+        assert shares[0] == plan.probability.decimal(3)
 
     def test_without_one_everything_passes(self):
         sure = FeedingProblem(catalogue_part("4gon"), "push-grasp").geometric_plan()
