@@ -81,6 +81,7 @@ def _numbered() -> tuple[ErratumEntry, ...]:
         (statements.THEOREM_4_1, planning.bound_of_theorem_4_1),
         (statements.FIGURE_5_1, planning.first_step_of_figure_5_1),
         (statements.EQUATION_5_3, planning.angles_of_equation_5_3),
+        (statements.CLOSURE, planning.closure_of_lemma_5_1),
         (statements.FIGURE_5_8, planning.cost_in_figure_5_8),
         (statements.THEOREM_5_4, planning.time_of_phase_one),
         (statements.CONJECTURE_5_4_1, planning.length_of_plans),

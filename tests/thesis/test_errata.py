@@ -92,6 +92,7 @@ class TestRecomputationsCanFail:
             (grasps, grasps.limit_of_the_bound),
             (planning, planning.cost_in_figure_5_8),
             (planning, planning.angles_of_equation_5_3),
+            (planning, planning.closure_of_lemma_5_1),
         ],
     )
     def test_with_another_part(self, monkeypatch, module, recompute):
