@@ -9,7 +9,7 @@ from typing import Final
 
 from stochgeom.errors import ReadError, SelfIntersectionError
 from stochgeom.geometry.part import Part
-from stochgeom.io.files import MAX_BYTES, decode_text
+from stochgeom.io.files import MAX_BYTES, decode_text, naming
 from stochgeom.io.outlines import (
     Outline,
     parse_outline,
@@ -37,7 +37,8 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     ReadError
         If it is no catalogue name and no readable file.
     InputError
-        If the content is no acceptable outline.
+        If the content is no acceptable outline; the place is the file, or "standard input", and
+        the line, vertex or edges in it.
 
     Examples
     --------
@@ -50,8 +51,15 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     if regular:
         return _with_center(Part.regular(int(regular[1])), center_of_mass)
     if source == "-":
-        return part_of(parse_outline(decode_text(_standard_input())), center_of_mass)
-    return part_of(_read_file(source), center_of_mass)
+        content = _standard_input()
+        with naming(_STANDARD_INPUT):
+            outline = parse_outline(decode_text(content))
+    else:
+        outline = _read_file(source)
+    if center_of_mass is not None:  # read here, as it does not stand in the file
+        outline = replace(outline, center_of_mass=_center(center_of_mass))
+    with naming(_STANDARD_INPUT if source == "-" else source):
+        return part_of(outline)
 
 
 def _with_center(part: Part, center_of_mass: str | None) -> Part:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Final
 
 from stochgeom.errors import FormatError
-from stochgeom.io.files import MAX_BYTES, decode_text, read_bytes
+from stochgeom.io.files import MAX_BYTES, decode_text, naming, read_bytes
 from stochgeom.io.json_outline import parse_json
 from stochgeom.io.plain_outline import looks_plain, parse_plain, parse_point, parse_vertices
 from stochgeom.io.rings import Outline, showable, shown
@@ -47,7 +47,8 @@ def read_outline(path: str | os.PathLike[str]) -> Outline:
     ReadError
         If the file is missing, unreadable or larger than `MAX_BYTES`.
     FormatError, NumberError, TooFewVerticesError
-        If the content is not an outline, as for `parse_outline`.
+        If the content is not an outline, as for `parse_outline`; the place is the file, and the
+        line or the vertex in it.
 
     Examples
     --------
@@ -58,7 +59,8 @@ def read_outline(path: str | os.PathLike[str]) -> Outline:
 accepted: a readable text file
     """
     content = read_bytes(path)
-    return parse_outline(decode_text(content), name=showable(Path(os.fsdecode(path)).stem))
+    with naming(path):
+        return parse_outline(decode_text(content), name=showable(Path(os.fsdecode(path)).stem))
 
 
 def parse_outline(text: str, *, name: str | None = None) -> Outline:

@@ -38,7 +38,7 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import parse_rational
 from stochgeom.io.exact_json import kind_of, load_json
-from stochgeom.io.files import decode_text, read_bytes
+from stochgeom.io.files import decode_text, naming, read_bytes
 from stochgeom.io.rings import shown
 
 ACCEPTED: Final = (
@@ -81,11 +81,8 @@ def load_prior(source: str) -> Prior:
         raise ReadError(
             f"neither a kind of prior nor a file; {ACCEPTED}", where=error.where
         ) from None
-    try:
+    with naming(source):
         return parse_prior(decode_text(content))
-    except StochgeomError as error:  # several files may be named on one command line
-        place = source if error.where is None else f"{source}, {error.where}"
-        raise type(error)(error.message, where=place) from None
 
 
 def parse_prior(text: str) -> Prior:
