@@ -8,7 +8,7 @@ from typing import Any
 from stochgeom.cli.grasp_text import grasp_text
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.cli.plan_command import read_part
+from stochgeom.cli.plan_command import read_part, read_prior
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import FrictionError
 from stochgeom.exact.angles import Angle
@@ -16,7 +16,6 @@ from stochgeom.exact.scalars import rational
 from stochgeom.grasping.friction import Friction
 from stochgeom.grasping.grasp_report import GraspReport
 from stochgeom.io.grasp_json import grasp_document
-from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 SOURCE is the same as for stochgeom plan. Exit code 1 if a tolerance is asked for and no grasp
@@ -76,7 +75,7 @@ def run(arguments: argparse.Namespace) -> int:
         read_part(arguments),
         _friction(arguments),
         tolerance=arguments.tolerance,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         probability=arguments.probability,
     )
     with Progress("grasp: diagrams and bounds") as progress:

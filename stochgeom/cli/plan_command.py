@@ -13,6 +13,7 @@ from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_text import plan_text
 from stochgeom.cli.progress import Progress
 from stochgeom.decision.costs import as_cost_ratio
+from stochgeom.decision.priors import Prior
 from stochgeom.errors import FormatError, InputError
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, FeedingProblem
@@ -116,10 +117,18 @@ def make_problem(arguments: argparse.Namespace) -> FeedingProblem:
     return FeedingProblem(
         read_part(arguments),
         arguments.action,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         gripper_error=arguments.gripper_error,
         goal=arguments.goal,
     )
+
+
+def read_prior(arguments: argparse.Namespace) -> Prior | None:
+    """Return the prior that ``--prior`` names, None without it."""
+    if arguments.prior is None:
+        return None
+    with Progress("reading the prior") as progress:
+        return load_prior(arguments.prior, progress.show)
 
 
 def read_part(arguments: argparse.Namespace) -> Part:

@@ -8,11 +8,10 @@ from typing import Any
 
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.cli.plan_command import read_part
+from stochgeom.cli.plan_command import read_part, read_prior
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import InputError
 from stochgeom.io.files import write_whole
-from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 A round is a squeeze at a random angle, then moves: squeezes at chosen angles, looks at the sensor;
@@ -100,7 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
         between=_pair(arguments.range),
         cost_ratio=arguments.cost_ratio,
         sensor_cost=arguments.sensor_cost,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         digits=max(LIKELIHOOD_DIGITS, digits + 8),
     )
     limits: dict[str, Any] = {

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import GoalError
 from stochgeom.exact.angles import Angle
@@ -123,6 +124,7 @@ def plan_weighing_grasps(
     """
     part = as_part(part)
     c = as_cost_ratio(cost_ratio)
+    expect(grasp_costs, Mapping, "a mapping from orientations, such as stability_costs(part)")
     problem = FeedingProblem(part, action, prior=prior, gripper_error=gripper_error)
     best: FeedingPlan | None = None
     for cost, goals in _goals_by_cost(problem, grasp_costs).items():

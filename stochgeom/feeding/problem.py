@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError, PriorError
@@ -90,7 +91,7 @@ class FeedingProblem(Displayed):
     ) -> None:
         accepted = sorted(TRANSFER_FUNCTIONS)
         if action not in accepted:
-            raise InputError(f"action {action!r}; accepted: {', '.join(accepted)}")
+            raise InputError(f"action {action!r:.60}; accepted: {', '.join(accepted)}")
         self.part: Part | None = as_part(part)
         self.action = action
         self._set(prior, gripper_error, goal)
@@ -205,7 +206,8 @@ class FeedingProblem(Displayed):
         InputError
             If `steps` is below 1, or so many steps do no better than fewer.
         """
-        if steps < 1 or self.preimages.of_steps(steps).steps < steps:
+        as_count(steps, "steps")
+        if self.preimages.of_steps(steps).steps < steps:
             longest = max(preimage.steps for preimage in self.preimages)
             raise InputError(f"{steps} steps; accepted: 1 to {longest} for this part")
         return self._plan(self.preimages.found()[:steps], cost_ratio)

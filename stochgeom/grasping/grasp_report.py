@@ -9,6 +9,7 @@ from typing import Any, final
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
@@ -65,6 +66,8 @@ class GraspReport:
         probability: RationalLike | None = None,
     ) -> None:
         self.tolerance = None if tolerance is None else _tolerance(tolerance)
+        if prior is not None:
+            expect(prior, Prior, "a prior, such as WrappedNormal('30', '12')", "prior")
         self.prior = prior
         self.probability: mpq | None = None if probability is None else as_probability(probability)
         self.diagram = GraspDiagram(part, mu)

@@ -7,6 +7,7 @@ import sys
 from dataclasses import replace
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import ReadError, SelfIntersectionError
 from stochgeom.geometry.part import Part
 from stochgeom.io.files import MAX_BYTES, decode_text, naming
@@ -45,6 +46,7 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     >>> load_part("house").name
     'house'
     """
+    expect(source, str, "a name of the catalogue, or a file's path as text", "source")
     if source in catalogue_names():
         return _with_center(catalogue_part(source), center_of_mass)
     regular = re.fullmatch("regular-([0-9]{1,5})", source)
@@ -116,6 +118,7 @@ def _standard_input() -> bytes:
 
 
 def _center(text: str) -> tuple[object, object]:
+    expect(text, str, "text such as '1,2'", "center of mass")
     return parse_point(text, where="center of mass")
 
 

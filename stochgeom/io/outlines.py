@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import FormatError
 from stochgeom.io.files import MAX_BYTES, decode_text, naming, read_bytes
 from stochgeom.io.json_outline import parse_json
@@ -94,7 +95,7 @@ def parse_outline(text: str, *, name: str | None = None) -> Outline:
     stochgeom.errors.NumberError: vertex 1, y: 'nan' is not a number; accepted: whole numbers, \
 fractions and decimals such as 3, 2/7, -0.25, 1e-3
     """
-    if len(text) > MAX_BYTES:
+    if len(expect(text, str, "text", "outline")) > MAX_BYTES:
         raise FormatError(f"text of {len(text)} characters; accepted: at most {MAX_BYTES}")
     lines = text.removeprefix(_BYTE_ORDER_MARK).replace("\r\n", "\n").replace("\r", "\n")
     outline = _parse_sniffed(lines)

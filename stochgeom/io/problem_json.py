@@ -24,6 +24,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from stochgeom.decision.number_kinds import NumberKind, as_float
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import FormatError, ProblemError, StochgeomError
 from stochgeom.exact.angles import Angle
@@ -211,6 +212,7 @@ def problem_document(problem: PlanningProblem) -> Json:
     >>> problem_from_json(document) == turn
     True
     """
+    check_problem(problem)
     for what, labels in (("state", problem.states), ("action", problem.actions)):
         for label in labels:
             if not isinstance(label, str):

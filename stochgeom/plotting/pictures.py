@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_list
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.gripper_error import GripperError
@@ -270,7 +271,10 @@ def draw_trace(
     ['10.0°', '0.0°', '100.0°', '180.0°']
     """
     need_matplotlib()
-    chosen = None if orientations is None else [as_angle(theta) for theta in orientations]
+    chosen = None
+    if orientations is not None:
+        listed = as_list(orientations, "a list of angles, or of degrees", "orientations")
+        chosen = [as_angle(theta) for theta in listed]
     return draw_scene(trace_scene(plan, chosen, distribution=distribution), ax, inches=0.31)
 
 

@@ -21,6 +21,7 @@ from typing import Any, Final, final
 
 from gmpy2 import is_square, isqrt, mpq
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.errors import NotRationalError, SensorError
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
@@ -123,6 +124,7 @@ def diameter_sensor(
     diameter = part if isinstance(part, DiameterFunction) else DiameterFunction(as_part(part))
     if orientations is None:
         orientations = planning_problem_of(diameter.part).orientations
+    expect(orientations, Mapping, "a mapping from labels to angles", "orientations")
     squares = {label: diameter.squared(theta) for label, theta in orientations.items()}
     return sensor_of_diameters(squares, bits, noise, **settings)
 
@@ -302,7 +304,12 @@ def covered_range(
     """
     if between is None:
         return jaw_range(squares.values())
-    low, high = (rational(value, where="range of the sensor") for value in between)
+    pair = as_list(between, "a pair of distances", "range of the sensor", SensorError)
+    if len(pair) != 2:
+        raise SensorError(
+            f"{between!r:.60}; accepted: a pair of distances", where="range of the sensor"
+        )
+    low, high = (rational(value, where="range of the sensor") for value in pair)
     if not low < high:
         raise SensorError(
             f"from {low} to {high}; accepted: an increasing pair", where="range of the sensor"

@@ -23,6 +23,7 @@ from typing import Any, Final, TypeAlias
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_list
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -224,7 +225,9 @@ def labelled(sensors: Sensors) -> dict[Any, Sensor]:
     if isinstance(sensors, Mapping):
         found = dict(sensors)
     else:
-        listed = [sensors] if isinstance(sensors, Sensor) else list(sensors)
+        listed = (
+            [sensors] if isinstance(sensors, Sensor) else as_list(sensors, "sensors", "sensors")
+        )
         names = [
             getattr(sensor, "name", None) or ("sensor" if len(listed) == 1 else f"sensor {k}")
             for k, sensor in enumerate(listed)
@@ -260,6 +263,7 @@ def _stages(horizon: int | None, stages: Sequence[str] | None) -> tuple[str, ...
         if not isinstance(horizon, int) or isinstance(horizon, bool) or horizon < 0:
             raise InputError(f"{horizon!r}; accepted: whole numbers from 0 on", where="horizon")
         return ("any",) * horizon
+    stages = as_list(stages, f"a list of {', '.join(STAGES)}", "stages")
     for stage in stages:
         if stage not in STAGES:
             raise InputError(f"{stage!r}; accepted: {', '.join(STAGES)}", where="stages")
