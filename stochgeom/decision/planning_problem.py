@@ -13,7 +13,7 @@ compared and hashed: equal ones are equal. Float hyperstates are numpy arrays.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import chain
 from typing import Any, Final, Protocol, TypeAlias, final
@@ -164,7 +164,7 @@ class PlanningProblem(Displayed):
         ('0',)
         """
         known = as_list(prior, "a list of probabilities", "prior")
-        expect(matrices, Mapping | Sequence, "a list of matrices, or a mapping", "matrices")
+        expect(matrices, Collection, "a list of matrices, or a mapping", "matrices")
         labels = [str(k) for k in range(len(known))] if states is None else states
         actions = (
             list(matrices) if isinstance(matrices, Mapping) else map(str, range(len(matrices)))

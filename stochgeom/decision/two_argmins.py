@@ -19,7 +19,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, final
 
-from stochgeom.arguments import expect
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.costs_to_go import mean
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.plan_results import check_problem
@@ -86,7 +86,7 @@ def two_argmins(
     check_problem(problem)
     expect(loss, Callable, "a function of an action and a state", "loss")
     if hyperstate is not None:
-        expect(hyperstate, tuple, "a hyperstate such as problem.run(actions)", "hyperstate")
+        hyperstate = tuple(as_list(hyperstate, "a list of probabilities", "hyperstate"))
     known = problem.prior if hyperstate is None else hyperstate
     decision, manipulation = {}, {}
     for action in problem.actions:

@@ -9,7 +9,7 @@ of sets that friction makes.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import final
 
 from stochgeom.arguments import as_list, expect
@@ -351,7 +351,7 @@ def merge(first: Sequence[Angle], second: Sequence[Angle]) -> list[Angle]:
 
 def _check(angles: Sequence[Angle], points: Sequence[bool], arcs: Sequence[bool]) -> None:
     for what, given in (("angles", angles), ("points", points), ("arcs", arcs)):
-        expect(given, Sequence, "a list", what)
+        expect(given, Collection, "a list", what)
     for k, angle in enumerate(angles):
         expect(angle, Angle, "an Angle", f"critical orientation {k}")
     if len(points) != len(angles) or len(arcs) != max(1, len(angles)):

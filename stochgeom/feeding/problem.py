@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import TYPE_CHECKING, Any, Final, SupportsIndex, final
 
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.arguments import as_count
+from stochgeom.arguments import shown
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError, PriorError
@@ -206,10 +206,11 @@ class FeedingProblem(Displayed):
         InputError
             If `steps` is below 1, or so many steps do no better than fewer.
         """
-        as_count(steps, "steps")
-        if self.preimages.of_steps(steps).steps < steps:
+        given: object = steps
+        whole = isinstance(given, SupportsIndex) and not isinstance(given, bool)
+        if not whole or steps < 1 or self.preimages.of_steps(steps).steps < steps:
             longest = max(preimage.steps for preimage in self.preimages)
-            raise InputError(f"{steps} steps; accepted: 1 to {longest} for this part")
+            raise InputError(f"{shown(steps)} steps; accepted: 1 to {longest} for this part")
         return self._plan(self.preimages.found()[:steps], cost_ratio)
 
     def _plan(self, chain: Sequence[Preimage], cost_ratio: RationalLike) -> FeedingPlan:

@@ -245,7 +245,7 @@ def test_limits_that_are_none():
 
 
 def test_other_questions():
-    with pytest.raises(InputError, match="plans of 0 to -1 actions"):
+    with pytest.raises(InputError, match="horizon: -1 actions; accepted: whole numbers from 0 on"):
         next(every_plan(GOOD, -1, shortest=0))
     with pytest.raises(ProblemError, match="IterativeModel is not additive; accepted: Additive"):
         observed_policy(GOOD, 1, IterativeCost("a"))
@@ -253,7 +253,7 @@ def test_other_questions():
         observed_policy(GOOD, -1, GoalCost("a"))
     with pytest.raises(InputError, match="3 actions left; accepted: 0 to 1"):
         observed_policy(GOOD, 1, GoalCost("a")).action("a", 3)
-    with pytest.raises(InputError, match="0 tries of 1 actions"):
+    with pytest.raises(InputError, match="0 tries; accepted: whole numbers from 1 on"):
         random_plan(GOOD, 1, GoalCost("a"), seed=0, tries=0)
     with pytest.raises(NumberError, match="loss of action 'x' in state 'a'"):
         two_argmins(GOOD, lambda *_: 0.5)
