@@ -2,10 +2,34 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Iterable
+from typing import Any, Final, TypeAlias
+
+from numpy.typing import NDArray
 
 from stochgeom.arguments import as_count, expect
+from stochgeom.exact.angles import Angle
+from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.geometry.part import Part
+from stochgeom.geometry.points import PointLike
 
-__all__ = ["MOST_TURNS", "as_count", "expect"]
+__all__ = ["MOST_TURNS", "Orientation", "PartLike", "as_angle", "as_count", "expect"]
 
 MOST_TURNS: Final = 10
+
+PartLike = Part | Iterable[PointLike] | NDArray[Any]
+Orientation: TypeAlias = "Angle | RationalLike"
+"""An angle, or degrees as an exact number or text."""
+
+
+def as_angle(theta: Orientation) -> Angle:
+    """Return an angle as it is, or of degrees.
+
+    Examples
+    --------
+    >>> as_angle("22.5").degrees(1)
+    '22.5'
+    """
+    if isinstance(theta, Angle):
+        return theta
+    return Angle.from_turns(rational(theta, where="degrees") / 360)

@@ -261,7 +261,7 @@ def test_other_questions():
         cyclic_difference([1], ["1/2", "1/2"])
     with pytest.raises(NotStochasticError, match="x: the sum is 2"):
         cyclic_difference([1, 1], [1, 0])
-    with pytest.raises(InputError, match="0 draws; accepted: 1 or more"):
+    with pytest.raises(InputError, match="0 draws; accepted: whole numbers from 1 on"):
         simulated_difference(lambda source, n: source.uniform(size=n), 0, seed=1)
 
 
