@@ -6,7 +6,7 @@ import argparse
 from typing import Any
 
 from stochgeom.cli.grasp_text import grasp_text
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, add_part, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_command import read_part, read_prior
 from stochgeom.cli.progress import Progress
@@ -38,9 +38,7 @@ def add_parser(commands: Any) -> None:
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to grasp")
-    parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
-    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    add_part(parser, "what to grasp")
     parser.add_argument(
         "--mu", metavar="MU", help="coefficient of friction, a rational >= 0 such as 0.25 or 1/4"
     )
@@ -64,7 +62,7 @@ def add_parser(commands: Any) -> None:
         help="also print the largest mu for which a stable grasp has at least this probability",
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/grasp/1 document")
+    add_json(parser, "print a stochgeom/grasp/1 document")
     parser.set_defaults(run=run)
 
 
