@@ -23,7 +23,7 @@ from typing import Any, Final, TypeAlias
 
 from gmpy2 import mpq
 
-from stochgeom.arguments import as_list
+from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -36,6 +36,9 @@ from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.sensing.sensors import Sensor
 from stochgeom.sensing.tree_search import STAGES, OutOfTimeError, TreeSearch
+
+MOST_MOVES: Final = 100_000
+"""Longest way through a tree: each move is a level of the search."""
 
 Sensors: TypeAlias = "Sensor | Iterable[Sensor] | Mapping[Any, Sensor]"
 """One sensor, several, or several with labels."""
@@ -260,9 +263,7 @@ def _stages(horizon: int | None, stages: Sequence[str] | None) -> tuple[str, ...
     if (horizon is None) == (stages is None):
         raise InputError("neither or both of a horizon and stages; accepted: one of them")
     if stages is None:
-        if not isinstance(horizon, int) or isinstance(horizon, bool) or horizon < 0:
-            raise InputError(f"{horizon!r}; accepted: whole numbers from 0 on", where="horizon")
-        return ("any",) * horizon
+        return ("any",) * as_count(horizon, "moves", least=0, most=MOST_MOVES, where="horizon")
     stages = as_list(stages, f"a list of {', '.join(STAGES)}", "stages")
     for stage in stages:
         if stage not in STAGES:

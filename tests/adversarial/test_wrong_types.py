@@ -192,6 +192,15 @@ class TestDecision:
         assert_refuses(lambda: sg.SensingProblem(part, accepted=1.5), "accepted: 1.5")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, 1, 1), "sensors: 1")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, blind, stages="act"), "'act'")
+        for horizon in (
+            "2",
+            None,
+            1.5,
+            -1,
+            10**9,
+            10**400,
+        ):  # a tuple so long would fill the memory
+            assert_refuses(lambda h=horizon: sg.iterative_sensor_plan(problem, blind, h), "horizon")
         assert_refuses(lambda: sg.expected_entropy(None), "None is of type NoneType")
 
 
