@@ -21,9 +21,9 @@ from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.feeding.problem import FeedingProblem, PartLike
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.feeding.stability import stable_grasps
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.transfer.squeeze import squeeze_function
 
 if TYPE_CHECKING:

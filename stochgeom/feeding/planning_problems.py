@@ -24,8 +24,8 @@ from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.sums import AngleSum
 from stochgeom.feeding.action_classes import ActionClass, action_classes
-from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, PartLike
-from stochgeom.geometry.part import as_part
+from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:

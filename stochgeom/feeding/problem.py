@@ -11,12 +11,11 @@ fewest steps win.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final, SupportsIndex, final
+from typing import TYPE_CHECKING, Final, SupportsIndex, final
 
 from gmpy2 import mpq
-from numpy.typing import NDArray
 
 from stochgeom.arguments import shown
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
@@ -36,8 +35,7 @@ from stochgeom.feeding.gripper_error import (
 from stochgeom.feeding.placement import Placement, place
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimage, Preimages
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import Part, PartLike, as_part
 from stochgeom.transfer.push_grasp import push_grasp_function
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
@@ -51,8 +49,6 @@ TRANSFER_FUNCTIONS: Final[dict[str, Callable[[Part], StepFunction]]] = {
     "push-grasp": push_grasp_function,
 }
 """The actions that can be planned with, by name."""
-
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 
 @final

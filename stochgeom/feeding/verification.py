@@ -18,9 +18,10 @@ from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.nearby_courses import NearbyCourses, PartErrorReport
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.feeding.problem import FeedingProblem, PartLike
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.feeding.propagation import outcomes
 from stochgeom.feeding.reports import PlanReport, within_a_turn
+from stochgeom.geometry.part import PartLike
 from stochgeom.transfer.step_function import StepFunction
 
 MAX_ACTIONS: Final = 1_000_000

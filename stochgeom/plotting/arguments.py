@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, Final, TypeAlias
-
-from numpy.typing import NDArray
+from typing import Final, TypeAlias
 
 from stochgeom.arguments import as_count, expect
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike
 
 __all__ = ["MOST_TURNS", "Orientation", "PartLike", "as_angle", "as_count", "expect"]
 
 MOST_TURNS: Final = 10
 
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 Orientation: TypeAlias = "Angle | RationalLike"
 """An angle, or degrees as an exact number or text."""
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from stochgeom.arguments import as_list
 from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.geometry.part import as_part
-from stochgeom.plotting.arguments import Orientation, PartLike, as_angle
+from stochgeom.geometry.part import PartLike, as_part
+from stochgeom.plotting.arguments import Orientation, as_angle
 from stochgeom.plotting.axes import draw_scene, need_matplotlib
 from stochgeom.plotting.block_pictures import draw_scooped_blocks, draw_sensed_blocks
 from stochgeom.plotting.funnel_scenes import funnel_scene
@@ -195,6 +195,7 @@ def draw_closing(part: PartLike, theta: Orientation, ax: Axes | None = None) -> 
     Examples
     --------
     >>> from matplotlib.figure import Figure
+    >>> from stochgeom.geometry.part import Part
     >>> ax = draw_closing(Part.regular(6), 15, Figure().subplots())
     >>> ax.texts[-1].get_text()
     '3: stable, 0.00°'
@@ -218,6 +219,7 @@ def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None)
     Examples
     --------
     >>> from matplotlib.figure import Figure
+    >>> from stochgeom.geometry.part import Part
     >>> ax = draw_sliding_jaw(Part.regular(6), 20, Figure().subplots())
     >>> [text.get_text() for text in ax.texts]
     ['friction: wedged at 20.00°', 'sliding jaw: stable at 0.00°']

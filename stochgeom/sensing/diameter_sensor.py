@@ -29,9 +29,8 @@ from stochgeom.exact.balls import rational_ball
 from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.feeding.planning_problems import planning_problem_of
-from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.sensing.gaussian import gaussian_bins
 from stochgeom.sensing.sensors import Sensor
 

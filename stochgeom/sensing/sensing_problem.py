@@ -17,9 +17,8 @@ from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.planning_problems import OrientingProblem, planning_problem_of_transfer
-from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.sensing.diameter_sensor import (
     LIKELIHOOD_DIGITS,
     check_rational,

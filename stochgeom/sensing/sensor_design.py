@@ -22,7 +22,7 @@ from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import MixedNumbersError, ShapeMismatchError
 from stochgeom.exact.scalars import RationalLike, rational
-from stochgeom.feeding.problem import PartLike
+from stochgeom.geometry.part import PartLike
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.sensor_plan import SensorPlan
