@@ -97,7 +97,7 @@ class SimulatedGripper:
         for item in fields(self):
             if item.name != "sliding_jaw":
                 expect(getattr(self, item.name), Real, "a number", item.name)
-        as_count(self.iterations, "iterations", error=TrayError)
+        as_count(self.iterations, "iterations", error=TrayError, where="iterations")
         for name in ("friction", "table_friction"):
             if not 0 <= getattr(self, name) < math.inf:
                 raise TrayError(f"{getattr(self, name)}; accepted: 0 or more", where=name)
