@@ -99,6 +99,7 @@ _NAMES = {
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
     "plotting.axes": "save_figure",
+    "plotting.block_pictures": "draw_scooped_blocks draw_sensed_blocks",
     "plotting.closure_pictures": "draw_closure draw_monotone_step",
     "plotting.decision_pictures": "draw_risks draw_sensor_density",
     "plotting.density_pictures": "draw_beta_density",
@@ -108,9 +109,8 @@ _NAMES = {
         "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "
     ),
     "plotting.pictures": (
-        "draw_closing draw_funnel draw_grasp draw_gripper draw_part draw_scooped_blocks "
-        "draw_sensed_blocks draw_sliding_jaw draw_stable_grasps draw_trace "
-        "draw_uncertain_grasp "
+        "draw_closing draw_funnel draw_grasp draw_gripper draw_part draw_sliding_jaw "
+        "draw_stable_grasps draw_trace draw_uncertain_grasp "
     ),
     "plotting.stability_pictures": (
         "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "

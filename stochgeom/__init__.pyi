@@ -133,6 +133,8 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis as draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import save_figure as save_figure
+from stochgeom.plotting.block_pictures import draw_scooped_blocks as draw_scooped_blocks
+from stochgeom.plotting.block_pictures import draw_sensed_blocks as draw_sensed_blocks
 from stochgeom.plotting.closure_pictures import draw_closure as draw_closure
 from stochgeom.plotting.closure_pictures import draw_monotone_step as draw_monotone_step
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
@@ -150,8 +152,6 @@ from stochgeom.plotting.pictures import draw_funnel as draw_funnel
 from stochgeom.plotting.pictures import draw_grasp as draw_grasp
 from stochgeom.plotting.pictures import draw_gripper as draw_gripper
 from stochgeom.plotting.pictures import draw_part as draw_part
-from stochgeom.plotting.pictures import draw_scooped_blocks as draw_scooped_blocks
-from stochgeom.plotting.pictures import draw_sensed_blocks as draw_sensed_blocks
 from stochgeom.plotting.pictures import draw_sliding_jaw as draw_sliding_jaw
 from stochgeom.plotting.pictures import draw_stable_grasps as draw_stable_grasps
 from stochgeom.plotting.pictures import draw_trace as draw_trace

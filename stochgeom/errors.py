@@ -15,6 +15,8 @@ stochgeom.errors.NumberError: vertex 7, x: 'abc' is not a number; accepted: 3, 2
 
 from __future__ import annotations
 
+from typing import Self
+
 
 class StochgeomError(Exception):
     """Root of the family.
@@ -31,6 +33,18 @@ class StochgeomError(Exception):
         self.message = message
         self.where = where
         super().__init__(message if where is None else f"{where}: {message}")
+
+    def within(self, place: str) -> Self:
+        """Return this error, its place being a part of a larger one: a line of a file.
+
+        Examples
+        --------
+        >>> str(NumberError("'abc' is not a number", where="line 3").within("part.txt"))
+        "part.txt, line 3: 'abc' is not a number"
+        """
+        self.where = place if self.where is None else f"{place}, {self.where}"
+        self.args = (f"{self.where}: {self.message}",)
+        return self
 
 
 class InputError(StochgeomError, ValueError):

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from stochgeom.cli.layout import table
+from stochgeom.cli.options import add_json, read_count
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
-from stochgeom.errors import InputError
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
 from stochgeom.io.files import write_whole
 
@@ -46,7 +46,7 @@ def add_parser(commands: Any) -> None:
         metavar="FILE",
         help="where a disagreement is written; default stochgeom-finding.json",
     )
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/audit/1 document")
+    add_json(parser, "print a stochgeom/audit/1 document")
     parser.set_defaults(run=run)
 
 
@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
     families = None
     if arguments.families is not None:
         families = [name.strip() for name in arguments.families.split(",")]
-    count, seed = _whole(arguments.count, "--count"), _whole(arguments.seed, "--seed")
+    count, seed = read_count(arguments.count, "--count", 0), read_count(arguments.seed, "--seed", 0)
     search = None if arguments.no_search else compare_with_search
     audited = audit(families, count, seed, action=arguments.action, exhaustive=search)
     total = count * len(families or FAMILIES)
@@ -123,13 +123,3 @@ def _document(summaries: list[FamilySummary], found: list[AuditRow]) -> dict[str
         "families": [dataclasses.asdict(summary) for summary in summaries],
         "disagreement": found[0].disagreement if found else None,
     }
-
-
-def _whole(text: str, option: str) -> int:
-    try:
-        value = int(text)
-    except ValueError:
-        value = -1
-    if value < 0:
-        raise InputError(f"{text!r}; accepted: whole numbers from 0 on", where=option)
-    return value

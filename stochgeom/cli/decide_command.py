@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import re
 from typing import TYPE_CHECKING, Any
 
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, read_count, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
 from stochgeom.decision.plan_results import METHODS, NODE_LIMIT
@@ -70,7 +69,7 @@ def add_parser(commands: Any) -> None:
         "--pomdp", metavar="FILE", help="also write the problem for Cassandra's POMDP solvers"
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/decision/1 document")
+    add_json(parser, "print a stochgeom/decision/1 document")
     parser.set_defaults(run=run)
 
 
@@ -80,8 +79,8 @@ def run(arguments: argparse.Namespace) -> int:
     from stochgeom.io.sensors_json import load_sensed_problem
 
     digits = read_digits(arguments.digits)
-    horizon = None if arguments.horizon is None else _whole(arguments.horizon, "--horizon")
-    node_limit = _whole(arguments.node_limit, "--node-limit")
+    horizon = None if arguments.horizon is None else read_count(arguments.horizon, "--horizon", 0)
+    node_limit = read_count(arguments.node_limit, "--node-limit", 0)
     time_limit = _number(arguments.time_limit, "--time-limit", exact=False)
     problem, sensors = load_sensed_problem(arguments.file)
     if problem.cost is None:
@@ -156,9 +155,3 @@ def _number(text: str | None, where: str, *, exact: bool) -> Any:
 
     value = parse_rational(text, where=where)
     return value if exact else as_float(value, where)
-
-
-def _whole(text: str, where: str) -> int:
-    if re.fullmatch(r"[0-9]{1,9}", text) is None:
-        raise InputError(f"{text[:60]!r}; accepted: a whole number from 0 on", where=where)
-    return int(text)

@@ -7,6 +7,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, Final
 
 from stochgeom.cli.layout import count
+from stochgeom.cli.options import add_json
 from stochgeom.cli.output import write, write_json
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         "--check", action="store_true", help="recompute; exit code 1 if something does not hold"
     )
-    parser.add_argument("--json", action="store_true", help="print a JSON document")
+    add_json(parser, "print a JSON document")
     parser.set_defaults(run=run)
 
 

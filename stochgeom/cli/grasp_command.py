@@ -6,9 +6,9 @@ import argparse
 from typing import Any
 
 from stochgeom.cli.grasp_text import grasp_text
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, add_part, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.cli.plan_command import read_part
+from stochgeom.cli.plan_command import read_part, read_prior
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import FrictionError
 from stochgeom.exact.angles import Angle
@@ -16,7 +16,6 @@ from stochgeom.exact.scalars import rational
 from stochgeom.grasping.friction import Friction
 from stochgeom.grasping.grasp_report import GraspReport
 from stochgeom.io.grasp_json import grasp_document
-from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 SOURCE is the same as for stochgeom plan. Exit code 1 if a tolerance is asked for and no grasp
@@ -40,9 +39,7 @@ def add_parser(commands: Any) -> None:
         "probability that a random grasp ends stable.",
         epilog=_EPILOG,
     )
-    parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to grasp")
-    parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
-    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    add_part(parser, "what to grasp")
     parser.add_argument(
         "--mu", metavar="MU", help="coefficient of friction, a rational >= 0 such as 0.25 or 1/4"
     )
@@ -66,7 +63,7 @@ def add_parser(commands: Any) -> None:
         help="also print the largest mu for which a stable grasp has at least this probability",
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/grasp/1 document")
+    add_json(parser, "print a stochgeom/grasp/1 document")
     parser.set_defaults(run=run)
 
 
@@ -77,7 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
         read_part(arguments),
         _friction(arguments),
         tolerance=arguments.tolerance,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         probability=arguments.probability,
     )
     with Progress("grasp: diagrams and bounds") as progress:

@@ -6,6 +6,7 @@ import argparse
 from typing import Any
 
 from stochgeom.cli.layout import table
+from stochgeom.cli.options import add_json
 from stochgeom.cli.output import write, write_json
 from stochgeom.exact.scalars import rational_text
 from stochgeom.geometry.points import Point
@@ -20,7 +21,7 @@ def add_parser(commands: Any) -> None:
         help="list the parts of the catalogue",
         description="List the parts of Goldberg (1990), rebuilt from its printed numbers.",
     )
-    parser.add_argument("--json", action="store_true", help="print vertices as well, as JSON")
+    add_json(parser, "print vertices as well, as JSON")
     parser.set_defaults(run=run)
 
 

@@ -8,11 +8,12 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, add_part, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_text import plan_text
 from stochgeom.cli.progress import Progress
 from stochgeom.decision.costs import as_cost_ratio
+from stochgeom.decision.priors import Prior
 from stochgeom.errors import FormatError, InputError
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, FeedingProblem
@@ -55,15 +56,13 @@ def add_parser(commands: Any) -> None:
         help="also write the optimal plan with its proof; stochgeom verify FILE checks it",
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/plan/1 document")
+    add_json(parser, "print a stochgeom/plan/1 document")
     parser.set_defaults(run=run)
 
 
 def add_problem_options(parser: argparse.ArgumentParser) -> None:
     """Add what says for which part and under which conditions to plan."""
-    parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to plan for")
-    parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
-    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    add_part(parser, "what to plan for")
     parser.add_argument(
         "--action",
         default="squeeze",
@@ -118,10 +117,18 @@ def make_problem(arguments: argparse.Namespace) -> FeedingProblem:
     return FeedingProblem(
         read_part(arguments),
         arguments.action,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         gripper_error=arguments.gripper_error,
         goal=arguments.goal,
     )
+
+
+def read_prior(arguments: argparse.Namespace) -> Prior | None:
+    """Return the prior that ``--prior`` names, None without it."""
+    if arguments.prior is None:
+        return None
+    with Progress("reading the prior") as progress:
+        return load_prior(arguments.prior, progress.show)
 
 
 def read_part(arguments: argparse.Namespace) -> Part:

@@ -9,7 +9,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.plan_command import add_problem_options, make_problem
 from stochgeom.cli.progress import Progress
@@ -51,7 +51,7 @@ def add_parser(commands: Any) -> None:
         "-o", "--output", metavar="FILE", default="report.html", help="default report.html"
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="say as JSON what was written")
+    add_json(parser, "say as JSON what was written")
     parser.set_defaults(run=run)
 
 

@@ -8,7 +8,7 @@ from contextlib import nullcontext
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import InputError, MissingExtraError, UnknownReproductionError
@@ -44,7 +44,7 @@ def add_parser(commands: Any) -> None:
     )
     parser.add_argument("--no-pictures", action="store_true", help="numbers only")
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a JSON document")
+    add_json(parser, "print a JSON document")
     parser.set_defaults(run=run)
 
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import re
 from typing import Any
 
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, add_part, read_count, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.cli.plan_command import read_part
+from stochgeom.cli.plan_command import read_part, read_prior
 from stochgeom.cli.progress import Progress
 from stochgeom.errors import InputError
 from stochgeom.io.files import write_whole
-from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 A round is a squeeze at a random angle, then moves: squeezes at chosen angles, looks at the sensor;
@@ -36,9 +34,15 @@ def add_parser(commands: Any) -> None:
         "expected cost that use it.",
         epilog=_EPILOG,
     )
-    parser.add_argument("source", nargs="?", metavar="SOURCE", help="the part, as for plan")
-    parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')
-    parser.add_argument("--center-of-mass", metavar="X,Y", help="default: uniform centroid")
+    add_part(parser, "the part, as for plan")
+    _add_sensor(parser)
+    _add_search(parser)
+    add_digits(parser)
+    add_json(parser, "print a stochgeom/sense/1 document")
+    parser.set_defaults(run=run)
+
+
+def _add_sensor(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--bits", metavar="B", help="2^B readings; default: the exact distance is read"
     )
@@ -54,6 +58,9 @@ def add_parser(commands: Any) -> None:
         metavar="LOW,HIGH",
         help="distances that the readings divide; default: those of the part",
     )
+
+
+def _add_search(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--horizon", default="2", metavar="N", help="most moves after the first squeeze; default 2"
     )
@@ -77,9 +84,6 @@ def add_parser(commands: Any) -> None:
     parser.add_argument(
         "--tree", metavar="FILE", help="also write the plan as a drawing, .svg or .dot"
     )
-    add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a stochgeom/sense/1 document")
-    parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -90,23 +94,23 @@ def run(arguments: argparse.Namespace) -> int:
     from stochgeom.sensing.sensing_problem import SensingProblem
 
     digits = read_digits(arguments.digits)
-    horizon = _whole(arguments.horizon, "--horizon")
+    horizon = read_count(arguments.horizon, "--horizon", 0)
     if arguments.tree is not None and not arguments.tree.endswith((".svg", ".dot")):
         raise InputError(f"{arguments.tree!r}; accepted: FILE.svg or FILE.dot", where="--tree")
     problem = SensingProblem(
         read_part(arguments),
-        None if arguments.bits is None else _whole(arguments.bits, "--bits"),
+        None if arguments.bits is None else read_count(arguments.bits, "--bits", 0),
         arguments.noise,
         sd=arguments.sd,
         between=_pair(arguments.range),
         cost_ratio=arguments.cost_ratio,
         sensor_cost=arguments.sensor_cost,
-        prior=None if arguments.prior is None else load_prior(arguments.prior),
+        prior=read_prior(arguments),
         digits=max(LIKELIHOOD_DIGITS, digits + 8),
     )
     limits: dict[str, Any] = {
-        "time_limit": float(_whole(arguments.time_limit, "--time-limit")),
-        "node_limit": _whole(arguments.node_limit, "--node-limit"),
+        "time_limit": float(read_count(arguments.time_limit, "--time-limit", 0)),
+        "node_limit": read_count(arguments.node_limit, "--node-limit", 0),
     }
     orders = None
     with Progress("searching plans, first moves done") as progress:
@@ -123,12 +127,6 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         write(sense_text(problem, plan, orders, horizon, digits))
     return 0
-
-
-def _whole(text: str, option: str) -> int:
-    if re.fullmatch(r"[0-9]{1,9}", text) is None:
-        raise InputError(f"{text[:60]!r}; accepted: whole numbers from 0 on", where=option)
-    return int(text)
 
 
 def _pair(text: str | None) -> tuple[str, str] | None:

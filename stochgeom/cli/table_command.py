@@ -9,7 +9,7 @@ from stochgeom.cli.errata_text import notes_text
 from stochgeom.cli.evolution_text import evolution_document, evolution_text
 from stochgeom.cli.grasp_table_text import grasp_table_document, grasp_table_text
 from stochgeom.cli.layout import table
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import UnknownReproductionError
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
@@ -46,7 +46,7 @@ def add_parser(commands: Any) -> None:
         "number", metavar="NUMBER", help=f"{', '.join(_NUMBERS)}; or such as fig4.6"
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a JSON document")
+    add_json(parser, "print a JSON document")
     parser.set_defaults(run=run)
 
 

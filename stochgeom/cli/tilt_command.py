@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 from stochgeom.cli import tilt_experiment, tilt_plan, tilt_simulate
-from stochgeom.cli.options import add_digits
+from stochgeom.cli.options import add_digits, add_json
 
 
 def add_parser(commands: Any) -> None:
@@ -37,7 +37,7 @@ def _add_simulate(parts: Any) -> None:
     _add_trials(parser, "2000")
     _add_setup(parser)
     parser.add_argument("--out", metavar="FILE", help="write the recording there")
-    _add_json(parser, "print the recording")
+    add_json(parser, "print the recording")
     parser.set_defaults(run=tilt_simulate.run)
 
 
@@ -51,7 +51,7 @@ def _add_estimate(parts: Any) -> None:
     _add_model(parser)
     parser.add_argument("--tilt", default="1", metavar="A", help="which tilt; default 1")
     add_digits(parser)
-    _add_json(parser, "print a stochgeom/tilt-estimate/1 document")
+    add_json(parser, "print a stochgeom/tilt-estimate/1 document")
     parser.set_defaults(run=tilt_plan.run_estimate)
 
 
@@ -78,7 +78,7 @@ def _add_plan(parts: Any) -> None:
         "--observed-only", action="store_true", help="leave out tilts that were never observed"
     )
     add_digits(parser)
-    _add_json(parser, "print a stochgeom/tilt-plan/1 document")
+    add_json(parser, "print a stochgeom/tilt-plan/1 document")
     parser.set_defaults(run=tilt_plan.run)
 
 
@@ -99,7 +99,7 @@ def _add_experiment(parts: Any) -> None:
         "--sizes", metavar="LIST", help="numbers of trials to compare, such as 250,500,1000"
     )
     parser.add_argument("--out", metavar="FILE", help="write the stochgeom/tilt-experiment/1 there")
-    _add_json(parser, "print a stochgeom/tilt-experiment/1 document")
+    add_json(parser, "print a stochgeom/tilt-experiment/1 document")
     parser.set_defaults(run=tilt_experiment.run)
 
 
@@ -114,7 +114,7 @@ def _add_grasp(parts: Any) -> None:
     parser.add_argument("--friction", default="1/4", metavar="MU", help="of the jaws; default 1/4")
     parser.add_argument("--trials", default="250", metavar="N", help="grasps; default 250")
     parser.add_argument("--seed", default="0", metavar="S", help="default 0")
-    _add_json(parser, "print a stochgeom/grasp-experiment/1 document")
+    add_json(parser, "print a stochgeom/grasp-experiment/1 document")
     parser.set_defaults(run=tilt_experiment.run_grasp)
 
 
@@ -149,7 +149,3 @@ def _add_model(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--states", metavar="N", help="of the recording; default: its own, else 12")
     parser.add_argument("--actions", metavar="N", help="likewise")
-
-
-def _add_json(parser: argparse.ArgumentParser, what: str) -> None:
-    parser.add_argument("--json", action="store_true", help=what)

@@ -7,9 +7,10 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from stochgeom.cli.layout import count, table
+from stochgeom.cli.options import read_count
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
-from stochgeom.cli.tilt_simulate import describe, read_count, read_robot
+from stochgeom.cli.tilt_simulate import describe, read_robot
 from stochgeom.exact.scalars import parse_rational
 
 if TYPE_CHECKING:  # loaded when the command runs: other commands start without them

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, Any
 from gmpy2 import mpq
 
 from stochgeom.cli.layout import count, table
-from stochgeom.cli.options import read_digits
+from stochgeom.cli.options import read_count, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
-from stochgeom.cli.tilt_simulate import read_count
 from stochgeom.errors import InputError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.scalars import parse_rational, rational_text

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from stochgeom.cli.layout import count, table
+from stochgeom.cli.options import read_count
 from stochgeom.cli.output import write, write_json
 from stochgeom.cli.progress import Progress
-from stochgeom.errors import InputError, TrayError
+from stochgeom.errors import TrayError
 
 if TYPE_CHECKING:  # loaded when the command runs: other commands start without them
     from stochgeom.tilting.counts import TransitionCounts
@@ -89,21 +89,3 @@ def _settings(pairs: Sequence[str]) -> dict[str, str]:
             raise TrayError(f"{pair[:60]!r}; accepted: NAME=VALUE", where="--set")
         found[name.strip()] = value.strip()
     return found
-
-
-def read_count(text: str, option: str, least: int = 1) -> int:
-    """Return the whole number that an option's text is.
-
-    Raises
-    ------
-    InputError
-        If it is none, below `least` or absurd.
-
-    Examples
-    --------
-    >>> read_count("2000", "--trials")
-    2000
-    """
-    if re.fullmatch(r"[0-9]{1,15}", text) is None or int(text) < least:
-        raise InputError(f"{text[:60]!r}; accepted: whole numbers from {least} on", where=option)
-    return int(text)

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from stochgeom.cli.options import add_digits, read_digits
+from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
 from stochgeom.feeding import certificate_checker as checker
@@ -84,7 +84,7 @@ def add_parser(commands: Any) -> None:
         "--claims", metavar="CLAIM", help="up-to-symmetry, or probability=P: at least P"
     )
     add_digits(parser)
-    parser.add_argument("--json", action="store_true", help="print a verdict or report as JSON")
+    add_json(parser, "print a verdict or report as JSON")
     parser.set_defaults(run=run)
 
 

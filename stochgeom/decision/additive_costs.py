@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.decision.costs_to_go import CostsToGo, Values, enclosed_mean, mean
 from stochgeom.decision.infinity import is_infinite
 from stochgeom.decision.number_kinds import NumberKind
@@ -169,6 +170,8 @@ def distance_cost(
     ['10.0', '90.0']
     """
     distances = {}
+    expect(orientations, Mapping, "a mapping from states to angles", "orientations")
+    expect(goal, Angle, "an Angle", "goal")
     for state, angle in orientations.items():
         if not isinstance(angle, Angle):
             raise CostError(

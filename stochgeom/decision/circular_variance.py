@@ -28,14 +28,16 @@ import numpy as np
 from gmpy2 import is_square, isqrt, mpq, mpz
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.angle_products import Cosine, product
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
 from stochgeom.decision.probabilities import Enclosed
-from stochgeom.errors import CostError
+from stochgeom.errors import CostError, ShapeMismatchError
 from stochgeom.exact.angle_base import AngleBase
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, Angle
 from stochgeom.exact.independent_sums import RootSum
+from stochgeom.exact.scalars import rational
 from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
@@ -155,7 +157,10 @@ def circular_variance(orientations: Iterable[Angle], probabilities: Iterable[Any
     >>> circular_variance([Angle(), Angle(0, (2, 1))], [mpq(1, 2), mpq(1, 2)]).decimal(6)
     '0.052786'
     """
-    angles, shares = list(orientations), list(probabilities)
+    angles = as_list(orientations, "a list of angles", "orientations")
+    for k, angle in enumerate(angles):
+        expect(angle, Angle, "an Angle", f"orientation {k}")
+    shares = _shares(probabilities, len(angles))
     cosines = None if any(isinstance(p, AngleSum) for p in shares) else _cosines(angles)
     if cosines is None:
         return _enclosed([(a, p) for a, p in zip(angles, shares, strict=True) if p])
@@ -167,6 +172,15 @@ def circular_variance(orientations: Iterable[Angle], probabilities: Iterable[Any
             constant += weight
             terms.append((-weight * coefficient, radicand))
     return RootSum(constant, terms)
+
+
+def _shares(probabilities: Iterable[Any], count: int) -> list[Any]:
+    shares = as_list(probabilities, "a list of probabilities", "probabilities")
+    if len(shares) != count:
+        raise ShapeMismatchError(
+            f"{len(shares)} probabilities; accepted: {count}, one for each orientation"
+        )
+    return [p if isinstance(p, AngleSum) else rational(p, where="probabilities") for p in shares]
 
 
 def _cosines(angles: list[Angle]) -> dict[tuple[int, int], tuple[mpq, Any]] | None:

@@ -15,6 +15,7 @@ from typing import Final, final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_list
 from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.priors import (
     Prior,
@@ -116,7 +117,8 @@ class DiscretePrior(Prior):
         >>> [(angle.degrees(1), str(weight)) for angle, weight in prior]
         [('12.5', '1/2'), ('13.0', '1/4'), ('200.0', '1/4')]
         """
-        return cls.from_counts([(value, 1) for value in degrees])
+        listed = as_list(degrees, "a list of orientations", "measurements", PriorError)
+        return cls.from_counts([(value, 1) for value in listed])
 
     @property
     def orientations(self) -> tuple[Angle, ...]:

@@ -32,6 +32,7 @@ import flint
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_list
 from stochgeom.decision.distributions import distribution
 from stochgeom.decision.number_kinds import NumberKind, common_kind, numbered
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
@@ -127,7 +128,7 @@ def entropy(probabilities: Iterable[Any]) -> Any:
     >>> entropy(["1/3"] * 3) == LogSum(0, [(1, 3)])
     True
     """
-    listed = list(probabilities)
+    listed = as_list(probabilities, "a list of probabilities", "distribution")
     kind = common_kind(numbered(listed, "distribution"))
     return entropy_of(distribution(listed, kind, "distribution"))
 

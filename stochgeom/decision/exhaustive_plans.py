@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count
 from stochgeom.decision.number_kinds import NumberKind
-from stochgeom.decision.plan_results import NODE_LIMIT, Limits, PlanResult
-from stochgeom.errors import InputError, NodeLimitError
+from stochgeom.decision.plan_results import NODE_LIMIT, Limits, PlanResult, check_problem
+from stochgeom.errors import NodeLimitError
 
 if TYPE_CHECKING:
     from stochgeom.decision.plan_costs import CostModel
@@ -69,8 +70,9 @@ def every_plan(
     >>> [len(plan) for plan, hyperstate in every_plan(turn, 2, shortest=0)]
     [0, 1, 2]
     """
-    if horizon < 0 or shortest < 0:
-        raise InputError(f"plans of {shortest} to {horizon} actions; accepted: 0 or more")
+    check_problem(problem)
+    as_count(horizon, "actions", least=0, where="horizon")
+    as_count(shortest, "actions", least=0, where="shortest")
     pending: list[tuple[tuple[Any, ...], Vector]] = [((), problem.prior)]
     while pending:
         plan, hyperstate = pending.pop()

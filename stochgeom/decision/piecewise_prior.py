@@ -12,6 +12,7 @@ from typing import Any, Final, final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.atoms import WeightedPoints
 from stochgeom.decision.measures import StepMeasure
 from stochgeom.decision.priors import Prior, Window, as_orientation, as_pairs, as_share, normalise
@@ -125,6 +126,8 @@ class PiecewisePrior(Prior):
         >>> prior.mass(Arc(Angle(), Angle.from_degrees(120))).rational
         mpq(1,2)
         """
+        edges = as_list(edges, "a list of degrees", "edges", PriorError)
+        counts = as_list(counts, "a list of counts", "counts", PriorError)
         ends = [rational(edge, where=f"edge {k}") for k, edge in enumerate(edges)]
         if len(ends) != len(counts) + 1:
             raise PriorError(
@@ -171,9 +174,8 @@ class PiecewisePrior(Prior):
         >>> prior.mass(Arc(Angle.from_degrees(270), Angle.from_degrees(180))).rational
         mpq(3,4)
         """
-        given: object = bins
-        if not isinstance(given, int) or not 0 < bins <= MAX_BINS:
-            raise PriorError(f"{bins!r:.60} bins; accepted: whole numbers from 1 to {MAX_BINS}")
+        bins = as_count(bins, "bins", most=MAX_BINS, error=PriorError)
+        degrees = as_list(degrees, "a list of orientations", "measurements", PriorError)
         width = Angle.from_turns(mpq(1, bins))
         counts = [0] * bins
         for k, value in enumerate(degrees):

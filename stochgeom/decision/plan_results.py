@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, final
 
 from stochgeom.decision.infinity import is_infinite
+from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.errors import InputError, ProblemError
 
 if TYPE_CHECKING:
     from stochgeom.decision.plan_costs import CostModel
-    from stochgeom.decision.planning_problem import PlanningProblem, Vector
 
 METHODS: Final = ("best-first", "breadth-first", "exhaustive")
 """The roads to a plan, by name; see `stochgeom.decision.plan_search`."""
@@ -128,6 +128,21 @@ _INTERVAL: Final = 64
 """Nodes between two looks at the clock."""
 
 
+def check_problem(problem: PlanningProblem) -> None:
+    """Refuse what is no planning problem.
+
+    Raises
+    ------
+    ProblemError
+        If it is none; an `OrientingProblem` holds one.
+    """
+    if not isinstance(problem, PlanningProblem):
+        raise ProblemError(
+            f"{problem!r:.60} is of type {type(problem).__name__}; accepted: a PlanningProblem, "
+            "such as planning_problem_of(part).problem"
+        )
+
+
 def model_of(problem: PlanningProblem, cost: Any) -> Any:
     """Return the cost model of a cost, or of the problem's own.
 
@@ -136,6 +151,7 @@ def model_of(problem: PlanningProblem, cost: Any) -> Any:
     ProblemError
         If there is neither.
     """
+    check_problem(problem)
     chosen = problem.cost if cost is None else cost
     if chosen is None or not hasattr(chosen, "on"):
         raise ProblemError(

@@ -13,7 +13,7 @@ compared and hashed: equal ones are equal. Float hyperstates are numpy arrays.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import chain
 from typing import Any, Final, Protocol, TypeAlias, final
@@ -22,6 +22,7 @@ import numpy as np
 from gmpy2 import lcm, mpq, mpz
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.distributions import distribution, listed, listed_tables
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import (
@@ -162,7 +163,8 @@ class PlanningProblem(Displayed):
         >>> PlanningProblem.from_matrices([1, 0], [[[0, 1], [1, 0]]]).actions
         ('0',)
         """
-        known = list(prior)
+        known = as_list(prior, "a list of probabilities", "prior")
+        expect(matrices, Collection, "a list of matrices, or a mapping", "matrices")
         labels = [str(k) for k in range(len(known))] if states is None else states
         actions = (
             list(matrices) if isinstance(matrices, Mapping) else map(str, range(len(matrices)))

@@ -11,8 +11,9 @@ import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.decision.discrete_prior import DiscretePrior
-from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.piecewise_prior import MAX_BINS, PiecewisePrior
 from stochgeom.errors import PriorError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
@@ -91,9 +92,10 @@ def cells_between(mouths: Iterable[Arc], bins: int = 1) -> tuple[Arc, ...]:
     >>> [(cell.start.degrees(0), cell.width.degrees(0)) for cell in cells]
     [('0', '10'), ('10', '40'), ('50', '310')]
     """
-    given: object = bins
-    if not isinstance(given, int) or bins < 1:
-        raise PriorError(f"{bins!r:.60} bins; accepted: whole numbers from 1 on")
+    as_count(bins, "bins", most=MAX_BINS, error=PriorError)
+    mouths = as_list(mouths, "a list of arcs", "mouths")
+    for k, mouth in enumerate(mouths):
+        expect(mouth, Arc, "an Arc", f"mouth {k}")
     ends = {Angle.from_turns(mpq(k, bins)) for k in range(bins)}
     for mouth in mouths:
         if mouth.width != FULL_TURN:

@@ -23,6 +23,7 @@ from typing import Any, final
 
 from gmpy2 import mpq, mpz
 
+from stochgeom.arguments import as_list
 from stochgeom.errors import InvalidArcError, NumberError, PriorError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle, make_angle
 from stochgeom.exact.arcs import Arc
@@ -248,7 +249,8 @@ def normalise(counts: Sequence[RationalLike], *, what: str = "count") -> list[mp
     >>> normalise([1, 3])
     [mpq(1,4), mpq(3,4)]
     """
-    numbers = [as_share(n, where=f"{what} {k}", what=what) for k, n in enumerate(counts)]
+    listed = as_list(counts, f"a list of {what}s", f"{what}s", PriorError)
+    numbers = [as_share(n, where=f"{what} {k}", what=what) for k, n in enumerate(listed)]
     total = sum(numbers, start=mpq(0))
     if total == 0:
         raise PriorError(f"{len(numbers)} {what}s with sum 0; accepted: a positive sum")

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from stochgeom.arguments import as_count
 from stochgeom.decision.plan_results import Limits, PlanResult, model_of
-from stochgeom.errors import InputError
 
 if TYPE_CHECKING:
     from stochgeom.decision.plan_costs import CostModel, PlanCost
@@ -73,8 +73,8 @@ def random_plan(
     >>> found.cost <= mpq(1, 4), found.reason
     (True, 'threshold')
     """
-    if horizon < 1 or tries < 1:
-        raise InputError(f"{tries} tries of {horizon} actions; accepted: at least 1 of each")
+    as_count(horizon, "actions", where="horizon")
+    as_count(tries, "tries")
     model = model_of(problem, cost)
     limits = Limits(tries * horizon, time_limit, progress)
     enough = None if threshold is None else model.as_cost(threshold)

@@ -18,16 +18,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import Any, Final, final
 
 import flint
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
+from stochgeom.decision.decision_rules import DecisionProblem, Rule
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.errors import MissingExtraError
-
-if TYPE_CHECKING:
-    from stochgeom.decision.decision_rules import DecisionProblem, Rule
 
 _SUPPORT: Final = 1e-9
 """Probabilities below it are taken for none when the equations are set up."""
@@ -82,6 +81,7 @@ def randomised_minimax(problem: DecisionProblem) -> RandomisedRule:
     >>> guess.minimax_rules()[0], randomised_minimax(guess).high
     (mpq(1,1), mpq(1,2))
     """
+    expect(problem, DecisionProblem, "a DecisionProblem of states, readings and decisions")
     # Of rules of equal risk one is enough, and dominated ones are never needed.
     by_risk = {problem.risk_table[rule]: rule for rule in problem.admissible_rules()[::-1]}
     rules, risks = list(by_risk.values()), list(by_risk)

@@ -51,6 +51,7 @@ import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.prior_estimates import PriorEstimate, round_to_sum_one
 from stochgeom.decision.priors import as_share
 from stochgeom.errors import InputError, PriorError
@@ -108,7 +109,12 @@ class Rejections:
     _sets: dict[frozenset[int], int] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        cells, seen = tuple(self.cells), tuple(self.observations)
+        cells = tuple(as_list(self.cells, "a list of angles, or of arcs", "cells", PriorError))
+        seen = tuple(
+            as_list(self.observations, "a list of observations", "observations", PriorError)
+        )
+        for k, each in enumerate(seen):
+            expect(each, Observation, "Observation(mouth, accepted, rejected)", f"observation {k}")
         if not cells or len({_is_angle(cell) for cell in cells}) != 1:
             raise PriorError(f"{len(cells)} cells; accepted: one or more, all angles or all arcs")
         sets: dict[frozenset[int], int] = {}

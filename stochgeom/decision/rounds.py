@@ -47,6 +47,8 @@ class Rounds:
     """
 
     def __init__(self, probability: Any) -> None:
+        if not isinstance(probability, AngleSum | float):
+            probability = rational(probability, where="success probability")
         if number_sign(probability) <= 0 or probability > 1:
             raise InputError(f"success probability {probability}; accepted: more than 0, at most 1")
         irrational = isinstance(probability, AngleSum) and probability.rational is None

@@ -19,8 +19,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, final
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.costs_to_go import mean
 from stochgeom.decision.number_kinds import NumberKind, read_number
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem, Vector
 
 
@@ -81,6 +83,10 @@ def two_argmins(
     >>> two_argmins(switch, on).decisions, two_argmins(switch, on).manipulations
     (('on', 'off'), ('on',))
     """
+    check_problem(problem)
+    expect(loss, Callable, "a function of an action and a state", "loss")
+    if hyperstate is not None:
+        hyperstate = tuple(as_list(hyperstate, "a list of probabilities", "hyperstate"))
     known = problem.prior if hyperstate is None else hyperstate
     decision, manipulation = {}, {}
     for action in problem.actions:

@@ -19,9 +19,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.decision.distributions import distribution
 from stochgeom.decision.number_kinds import NumberKind
-from stochgeom.errors import InputError, ShapeMismatchError
+from stochgeom.errors import ShapeMismatchError
 
 
 def cyclic_difference(x: Sequence[Any], y: Sequence[Any]) -> tuple[Any, ...]:
@@ -46,6 +47,7 @@ def cyclic_difference(x: Sequence[Any], y: Sequence[Any]) -> tuple[Any, ...]:
     >>> cyclic_difference(["1/2", "1/2", 0], ["1/2", "1/2", 0])
     (mpq(1,2), mpq(1,4), mpq(1,4))
     """
+    x, y = (as_list(p, "a list of probabilities") for p in (x, y))
     if len(x) != len(y):
         raise ShapeMismatchError(f"{len(x)} and {len(y)} probabilities; accepted: as many of each")
     p = distribution(list(x), NumberKind.RATIONAL, "x")
@@ -79,8 +81,9 @@ def simulated_difference(
     >>> bool(abs(np.exp(1j * found).mean()) < 0.05)  # no direction is preferred
     True
     """
-    if count < 1:
-        raise InputError(f"{count} draws; accepted: 1 or more")
+    as_count(count, "draws")
+    as_count(seed, "as a seed", least=0)
+    expect(y, Callable, "a function of a generator and a count", "y")
     source = np.random.default_rng(seed)
     turns: NDArray[np.float64] = source.uniform(0, 2 * np.pi, count)
     difference: NDArray[np.float64] = (y(source, count) - turns) % (2 * np.pi)

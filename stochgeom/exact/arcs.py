@@ -10,7 +10,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import final
 
-from stochgeom.errors import InvalidArcError
+from stochgeom.arguments import as_list, expect
+from stochgeom.errors import InvalidAngleError, InvalidArcError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 
 
@@ -106,6 +107,11 @@ class ClosedArc:
     width: Angle
 
     def __post_init__(self) -> None:
+        ends: tuple[object, ...] = (self.start, self.width)
+        if not all(isinstance(end, Angle) for end in ends):
+            raise InvalidArcError(
+                f"an arc from {self.start!r:.60}, {self.width!r:.60} wide; accepted: two Angles"
+            )
         if self.width < ZERO:
             raise InvalidArcError(f"width {self.width} of a closed arc; accepted: 0 or more")
 
@@ -124,6 +130,11 @@ def union_arcs(arcs: Iterable[Arc], period: Angle = FULL_TURN) -> tuple[Arc, ...
 
     Arcs that touch are joined.  O(k log k) comparisons.
     """
+    arcs = as_list(arcs, "a list of arcs", "arcs")
+    for k, arc in enumerate(arcs):
+        expect(arc, Arc, "an Arc", f"arc {k}")
+    if not ZERO < expect(period, Angle, "an Angle", "period") <= FULL_TURN:
+        raise InvalidAngleError(f"{period!r:.60}; accepted: an Angle up to 360°", where="period")
     pieces = sorted((p for arc in arcs for p in arc.split(period)), key=lambda piece: piece.start)
     joined: list[tuple[Angle, Angle]] = []
     for piece in pieces:

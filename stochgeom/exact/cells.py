@@ -9,9 +9,10 @@ of sets that friction makes.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import final
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.display import Displayed
 from stochgeom.errors import InvalidArcError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
@@ -96,7 +97,10 @@ class CellSet(Displayed):
     @classmethod
     def at(cls, orientations: Iterable[Angle]) -> CellSet:
         """Return a set of single orientations, taken modulo a full turn."""
-        angles = sorted({theta.reduced() for theta in orientations})
+        listed = as_list(orientations, "a list of angles", "orientations")
+        for k, theta in enumerate(listed):
+            expect(theta, Angle, "an Angle", f"orientation {k}")
+        angles = sorted({theta.reduced() for theta in listed})
         return cls(angles, [True] * len(angles), [False] * max(1, len(angles)))
 
     @classmethod
@@ -109,7 +113,9 @@ class CellSet(Displayed):
         >>> print(CellSet.of([arc, Interval(ZERO, Angle(), True, True)]))
         {(270.0000°, 450.0000°)}
         """
-        listed = list(intervals)
+        listed = as_list(intervals, "a list of intervals", "intervals")
+        for k, item in enumerate(listed):
+            expect(item, Interval, "an Interval", f"interval {k}")
         if any(item.width == FULL_TURN and item.is_closed for item in listed):
             return cls.whole()
         starts = [item.start.reduced() for item in listed]
@@ -344,6 +350,10 @@ def merge(first: Sequence[Angle], second: Sequence[Angle]) -> list[Angle]:
 
 
 def _check(angles: Sequence[Angle], points: Sequence[bool], arcs: Sequence[bool]) -> None:
+    for what, given in (("angles", angles), ("points", points), ("arcs", arcs)):
+        expect(given, Collection, "a list", what)
+    for k, angle in enumerate(angles):
+        expect(angle, Angle, "an Angle", f"critical orientation {k}")
     if len(points) != len(angles) or len(arcs) != max(1, len(angles)):
         raise InvalidArcError(
             f"{len(angles)} critical orientations, {len(points)} points and {len(arcs)} arcs; "

@@ -22,11 +22,11 @@ base at hand: there the product is expanded, within a limit of size
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Final
+from typing import Any, Final, NoReturn
 
 from gmpy2 import mpq
 
-from stochgeom.errors import NumberLimitError
+from stochgeom.errors import NumberError, NumberLimitError, StochgeomError
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.balls import (
@@ -84,8 +84,11 @@ def sign_of_form(turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]
     1
     """
     start = rational(turns)
-    listed = [(rational(q), angle) for q, angle in terms]
-    clear = _filtered(start, listed)
+    try:
+        listed = [(rational(q), angle) for q, angle in terms]
+        clear = _filtered(start, listed)
+    except (AttributeError, TypeError, ValueError) as error:
+        refuse_terms(terms, error)
     if clear:
         return clear
     constant, directions = _gather(start, listed)
@@ -109,6 +112,21 @@ def sign_of_form(turns: RationalLike, terms: Iterable[tuple[RationalLike, Angle]
     if len(directions) > 1 and _is_zero(constant, directions):
         return 0
     return sign_by_refinement(enclose, START_BITS << tries)
+
+
+def refuse_terms(terms: object, error: Exception) -> NoReturn:
+    """Say what is wrong with terms over which a computation stumbled; they are not checked before.
+
+    Raises
+    ------
+    NumberError
+        As it was raised, or because they are no pairs of a rational number and an Angle.
+    """
+    if isinstance(error, StochgeomError):
+        raise error
+    raise NumberError(
+        f"{terms!r:.60}; accepted: pairs, each a rational number and an Angle", where="terms"
+    ) from error
 
 
 def _filtered(turns: mpq, terms: list[tuple[mpq, Angle]]) -> int:

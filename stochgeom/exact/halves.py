@@ -8,6 +8,7 @@ from typing import Any, Final, final
 
 from gmpy2 import isqrt, mpq, mpz
 
+from stochgeom.arguments import expect
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import START_BITS, Ball, exact_value, working_precision
@@ -98,6 +99,7 @@ class HalfAngle:
     @classmethod
     def of(cls, angle: Angle) -> HalfAngle:
         """Return an angle as the half of its double."""
+        expect(angle, Angle, "an Angle")
         return cls(angle + angle)
 
     @property

@@ -22,6 +22,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property, total_ordering
+from operator import index
 from typing import Any, Final, Self, final
 
 import flint
@@ -68,11 +69,19 @@ class IndependentSum(ABC):
         self, constant: RationalLike = 0, terms: Iterable[tuple[RationalLike, Any]] = ()
     ) -> None:
         gathered: dict[mpz, mpq] = {}
-        for factor, number in terms:
-            n = mpz(number)
-            if n <= 0:
-                raise NumberError(f"{n} in a sum; accepted: whole numbers above 0")
-            gathered[n] = gathered.get(n, mpq(0)) + rational(factor)
+        try:
+            for factor, number in terms:
+                n = mpz(index(number))
+                if n <= 0:
+                    raise NumberError(f"{n} in a sum; accepted: whole numbers above 0")
+                gathered[n] = gathered.get(n, mpq(0)) + rational(factor)
+        except (TypeError, ValueError) as error:
+            if isinstance(error, NumberError):
+                raise
+            raise NumberError(
+                f"{terms!r:.60}; accepted: pairs, each a rational and a whole number above 0",
+                where="terms",
+            ) from error
         start = rational(constant, where="constant of a sum")
         self.constant, self.terms = self._independent(start, gathered)
 

@@ -40,6 +40,12 @@ class Interval:
     includes_end: bool
 
     def __post_init__(self) -> None:
+        ends: tuple[object, ...] = (self.start, self.width)
+        if not all(isinstance(end, Angle) for end in ends):
+            raise InvalidArcError(
+                f"an interval from {self.start!r:.60}, {self.width!r:.60} wide; accepted: two "
+                "Angles"
+            )
         if not ZERO <= self.width <= FULL_TURN:
             raise InvalidArcError(f"interval width {self.width}; accepted: from 0 to 360°")
         if not self.width and not (self.includes_start and self.includes_end):

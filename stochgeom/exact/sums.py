@@ -19,7 +19,7 @@ from stochgeom.exact.angles import Angle, make_angle
 from stochgeom.exact.balls import Ball, argument_ball, certified_float, rational_ball
 from stochgeom.exact.decimals import certified_decimal, decimal_if_clear, rational_decimal
 from stochgeom.exact.eighths import octant
-from stochgeom.exact.forms import rational_form, sign_of_form
+from stochgeom.exact.forms import rational_form, refuse_terms, sign_of_form
 from stochgeom.exact.predicates import sign
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
@@ -109,13 +109,16 @@ class AngleSum(Displayed):
     ) -> None:
         total = rational(constant, where="constant of a sum")
         gathered: dict[Angle, mpq] = {}
-        for factor, angle in terms:
-            q = rational(factor, where="coefficient of a sum")
-            eighths, x, y = octant(*angle.direction)
-            total += q * (angle.turn_part + mpq(eighths, 8))
-            if y:
-                rest = make_angle(0, x, y)
-                gathered[rest] = gathered.get(rest, mpq(0)) + q
+        try:
+            for factor, angle in terms:
+                q = rational(factor, where="coefficient of a sum")
+                eighths, x, y = octant(*angle.direction)
+                total += q * (angle.turn_part + mpq(eighths, 8))
+                if y:
+                    rest = make_angle(0, x, y)
+                    gathered[rest] = gathered.get(rest, mpq(0)) + q
+        except (AttributeError, TypeError, ValueError) as error:
+            refuse_terms(terms, error)
         self.__dict__["constant"] = total
         self.__dict__["terms"] = tuple((q, angle) for angle, q in gathered.items() if q)
 

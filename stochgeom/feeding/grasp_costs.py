@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import GoalError
 from stochgeom.exact.angles import Angle
@@ -20,9 +21,9 @@ from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.feeding.problem import FeedingProblem, PartLike
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.feeding.stability import stable_grasps
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.transfer.squeeze import squeeze_function
 
 if TYPE_CHECKING:
@@ -123,6 +124,7 @@ def plan_weighing_grasps(
     """
     part = as_part(part)
     c = as_cost_ratio(cost_ratio)
+    expect(grasp_costs, Mapping, "a mapping from orientations, such as stability_costs(part)")
     problem = FeedingProblem(part, action, prior=prior, gripper_error=gripper_error)
     best: FeedingPlan | None = None
     for cost, goals in _goals_by_cost(problem, grasp_costs).items():

@@ -11,7 +11,8 @@ from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.goals import Goal
 from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.feeding.problem import FeedingProblem, PartLike
+from stochgeom.feeding.problem import FeedingProblem
+from stochgeom.geometry.part import PartLike
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:

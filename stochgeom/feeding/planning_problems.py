@@ -17,14 +17,15 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.planning_problem import Cost, PlanningProblem
 from stochgeom.errors import InputError, ProblemError
 from stochgeom.exact.angles import FULL_TURN, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.sums import AngleSum
 from stochgeom.feeding.action_classes import ActionClass, action_classes
-from stochgeom.feeding.problem import TRANSFER_FUNCTIONS, PartLike
-from stochgeom.geometry.part import as_part
+from stochgeom.feeding.problem import TRANSFER_FUNCTIONS
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
@@ -110,8 +111,10 @@ def planning_problem_of(
     >>> [str(p) for p in found.problem.prior]
     ['0.3128', '0.1872', '0.3128', '0.1872']
     """
-    if action not in TRANSFER_FUNCTIONS:
-        raise InputError(f"action {action!r}; accepted: {', '.join(sorted(TRANSFER_FUNCTIONS))}")
+    if action not in sorted(TRANSFER_FUNCTIONS):  # a list, as what is given may not be hashable
+        raise InputError(
+            f"action {action!r:.60}; accepted: {', '.join(sorted(TRANSFER_FUNCTIONS))}"
+        )
     shape = as_part(part)
     return planning_problem_of_transfer(
         TRANSFER_FUNCTIONS[action](shape),
@@ -174,6 +177,10 @@ def planning_problem_of_transfer(
 
 def _prior(transfer: StepFunction, prior: Prior | None, places: list[tuple[int, int]]) -> list[Any]:
     """Return the probability of each state after the first action, rational if all are."""
+    if prior is not None:
+        from stochgeom.decision.priors import Prior  # loaded for those who use one
+
+        expect(prior, Prior, "a prior, such as DiscretePrior.from_measurements(degrees)", "prior")
     masses: list[Probability] = []
     for j, lap in places:
         arc = Arc(transfer.breaks[j] + transfer.period * lap, transfer.widths[j])

@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Any, final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.display import Displayed, render
@@ -92,8 +93,10 @@ class FeedingPlan(Displayed):
         prior: Prior | None = None,
         gripper_error: Angle = ZERO,
     ) -> None:
-        self.transfer = transfer
-        self.preimages = tuple(chain)
+        self.transfer = expect(
+            transfer, StepFunction, "a StepFunction, such as squeeze_function(part)", "transfer"
+        )
+        self.preimages = tuple(as_list(chain, "a list of preimages", "chain"))
         self.cost_ratio = cost_ratio
         self.part = part
         self.action_name = action_name

@@ -34,6 +34,7 @@ from typing import final
 
 import numpy as np
 
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
@@ -138,9 +139,12 @@ class Preimages(Displayed):
         spread: Angle = ZERO,
         final_steps: Sequence[int] | None = None,
     ) -> None:
-        self.transfer = transfer
-        self.spread = spread
-        self.final_steps = None if final_steps is None else tuple(final_steps)
+        self.transfer = expect(
+            transfer, StepFunction, "a StepFunction, such as squeeze_function(part)", "transfer"
+        )
+        self.spread = expect(spread, Angle, "an Angle", "spread")
+        steps = "a list of numbers of steps"
+        self.final_steps = None if final_steps is None else tuple(as_list(final_steps, steps))
         self._found: list[Preimage] = []
         self._stalled = False
 
@@ -173,8 +177,7 @@ class Preimages(Displayed):
         InputError
             If `steps` is below 1.
         """
-        if steps < 1:
-            raise InputError(f"a preimage of {steps} steps; accepted: 1 or more")
+        as_count(steps, "steps")
         while len(self._found) < steps and not (self._stalled or self.complete):
             self._extend()
         return self._found[min(steps, len(self._found)) - 1]

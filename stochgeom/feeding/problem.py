@@ -11,13 +11,13 @@ fewest steps win.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import TYPE_CHECKING, Final, SupportsIndex, final
 
 from gmpy2 import mpq
-from numpy.typing import NDArray
 
+from stochgeom.arguments import shown
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError, PriorError
@@ -35,8 +35,7 @@ from stochgeom.feeding.gripper_error import (
 from stochgeom.feeding.placement import Placement, place
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.preimages import Preimage, Preimages
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import Part, PartLike, as_part
 from stochgeom.transfer.push_grasp import push_grasp_function
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
@@ -50,8 +49,6 @@ TRANSFER_FUNCTIONS: Final[dict[str, Callable[[Part], StepFunction]]] = {
     "push-grasp": push_grasp_function,
 }
 """The actions that can be planned with, by name."""
-
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 
 @final
@@ -90,7 +87,7 @@ class FeedingProblem(Displayed):
     ) -> None:
         accepted = sorted(TRANSFER_FUNCTIONS)
         if action not in accepted:
-            raise InputError(f"action {action!r}; accepted: {', '.join(accepted)}")
+            raise InputError(f"action {action!r:.60}; accepted: {', '.join(accepted)}")
         self.part: Part | None = as_part(part)
         self.action = action
         self._set(prior, gripper_error, goal)
@@ -205,9 +202,11 @@ class FeedingProblem(Displayed):
         InputError
             If `steps` is below 1, or so many steps do no better than fewer.
         """
-        if steps < 1 or self.preimages.of_steps(steps).steps < steps:
+        given: object = steps
+        whole = isinstance(given, SupportsIndex) and not isinstance(given, bool)
+        if not whole or steps < 1 or self.preimages.of_steps(steps).steps < steps:
             longest = max(preimage.steps for preimage in self.preimages)
-            raise InputError(f"{steps} steps; accepted: 1 to {longest} for this part")
+            raise InputError(f"{shown(steps)} steps; accepted: 1 to {longest} for this part")
         return self._plan(self.preimages.found()[:steps], cost_ratio)
 
     def _plan(self, chain: Sequence[Preimage], cost_ratio: RationalLike) -> FeedingPlan:

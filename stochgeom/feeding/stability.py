@@ -6,15 +6,12 @@ one: the distance to the nearer of the two maxima of the diameter that enclose i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, final
-
-from numpy.typing import NDArray
+from typing import final
 
 from stochgeom.exact.angles import Angle
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import Part, PartLike
 from stochgeom.transfer.squeeze import squeeze_function
 
 
@@ -35,7 +32,7 @@ class StableGrasp:
     stability: Angle
 
 
-def stable_grasps(part: Part | Iterable[PointLike] | NDArray[Any]) -> tuple[StableGrasp, ...]:
+def stable_grasps(part: PartLike) -> tuple[StableGrasp, ...]:
     """Return the stable grasps of one period of the squeeze function, by orientation.
 
     O(n log n), and an exact angle for each.
@@ -73,7 +70,7 @@ def stabilities(part: Part, orientations: Sequence[Angle]) -> tuple[Angle, ...]:
     return tuple(known[angle % period] for angle in orientations)
 
 
-def most_stable_grasps(part: Part | Iterable[PointLike] | NDArray[Any]) -> tuple[StableGrasp, ...]:
+def most_stable_grasps(part: PartLike) -> tuple[StableGrasp, ...]:
     """Return the grasps of largest stability (thesis Eq. D.5): one, or several equal ones.
 
     Examples

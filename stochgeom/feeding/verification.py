@@ -11,15 +11,17 @@ from dataclasses import replace
 from itertools import islice, pairwise
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import InputError, InvalidAngleError, NumberLimitError, VerificationError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.nearby_courses import NearbyCourses, PartErrorReport
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.feeding.problem import FeedingProblem, PartLike
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.feeding.propagation import outcomes
 from stochgeom.feeding.reports import PlanReport, within_a_turn
+from stochgeom.geometry.part import PartLike
 from stochgeom.transfer.step_function import StepFunction
 
 MAX_ACTIONS: Final = 1_000_000
@@ -130,6 +132,7 @@ def _part_errors(
 
 def _angles_of(angles: Iterable[Angle]) -> tuple[Angle, ...]:
     """Return the angles after a look at their kind and number."""
+    expect(angles, Iterable, "angles, or text such as '0, 71, 3:2'", "angles")
     listed = tuple(islice(angles, MAX_ACTIONS + 1))
     _check_count(len(listed))
     for k, angle in enumerate(listed):
@@ -174,7 +177,7 @@ def parse_angles(text: str) -> tuple[Angle, ...]:
     >>> parse_angles("0, 35.5 3:2 (0, -1)")
     (Angle(0, (1, 0)), Angle('71/720', (1, 0)), Angle(0, (3, 2)), Angle(0, (0, -1)))
     """
-    body = text.strip()
+    body = expect(text, str, "text such as '0, 71, 3:2'", "angles").strip()
     known: dict[str, Angle] = {}
     angles: list[Angle] = []
     position, gap = 0, ""
@@ -243,7 +246,8 @@ def check_claim(report: PlanReport, claim: str) -> None:
     stochgeom.errors.VerificationError: probability=0.6: the most likely final orientation has \
 the probability 0.50000000
     """
-    kind, _, value = claim.partition("=")
+    expect(report, PlanReport, "what verify_plan returns")
+    kind, _, value = expect(claim, str, "text such as 'probability=1/2'", "claim").partition("=")
     if claim == "up-to-symmetry":
         if not report.orients_up_to_symmetry:
             raise VerificationError(

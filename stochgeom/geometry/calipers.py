@@ -17,6 +17,7 @@ from typing import final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.exact.predicates import IntArray, half_planes
 from stochgeom.exact.vectors import argsort_arguments
 from stochgeom.geometry.hull import ConvexHull, hull_edges
@@ -66,7 +67,7 @@ class Calipers:
 
 def rotate_calipers(hull: ConvexHull) -> Calipers:
     """Return all transitions and contacts of a convex polygon.  O(n log n)."""
-    n = len(hull)
+    n = len(expect(hull, ConvexHull, "a ConvexHull, such as Part(vertices).hull", "hull"))
     # Clockwise, so that orientations grow: entry k stands for the edge that ends at `end[k]`.
     edge = np.arange(n)[::-1]
     ex, ey = hull_edges(hull)

@@ -17,7 +17,6 @@ antipodal pair of that interval, which is what the calipers give.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
@@ -35,8 +34,8 @@ from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.exact.surds import Scalar, scalar_to_float, scalar_to_sympy
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.calipers import Calipers, rotate_calipers
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import Point, PointLike
+from stochgeom.geometry.part import PartLike, as_part
+from stochgeom.geometry.points import Point
 from stochgeom.geometry.sinusoids import squared_height
 
 if TYPE_CHECKING:
@@ -107,7 +106,7 @@ class DiameterFunction(Displayed):
     mpq(324,25)
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any]) -> None:
+    def __init__(self, part: PartLike) -> None:
         self.part = as_part(part)
         self._hull = self.part.hull
 

@@ -9,6 +9,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.exact.predicates import (
     HomogeneousPoint,
     IntArray,
@@ -81,6 +82,7 @@ def convex_hull(points: Points) -> ConvexHull:
     >>> convex_hull(points).indices.tolist()
     [0, 1, 3]
     """
+    expect(points, Points, "Points.from_pairs(vertices), or Part(vertices).hull", "points")
     homogeneous = points.homogeneous()
     order = _sorted_by_point(points, homogeneous)
     lower = _half_hull(order, homogeneous)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import gmpy2
 from gmpy2 import mpq
@@ -294,7 +294,11 @@ def _points_text(points: Iterable[Point]) -> str:
     return f"[{', '.join(f'({literal(x)}, {literal(y)})' for x, y in points)}]"
 
 
-def as_part(part: Part | Iterable[PointLike] | NDArray[Any]) -> Part:
+PartLike: TypeAlias = Part | Iterable[PointLike] | NDArray[Any]
+"""A part, or its vertices."""
+
+
+def as_part(part: PartLike) -> Part:
     """Return a part as it is, or make one of its vertices."""
     if isinstance(part, str):
         raise InvalidPartError(

@@ -16,7 +16,6 @@ mass over the end of an edge, is no extremum of either kind.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
@@ -33,8 +32,8 @@ from stochgeom.exact.predicates import half_planes, sign
 from stochgeom.exact.surds import Scalar, scalar_to_float, scalar_to_sympy
 from stochgeom.exact.vectors import AngleVector
 from stochgeom.geometry.diameter import Extrema
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import Point, PointLike
+from stochgeom.geometry.part import PartLike, as_part
+from stochgeom.geometry.points import Point
 from stochgeom.geometry.sight import look_around
 from stochgeom.geometry.sinusoids import squared_height
 
@@ -94,7 +93,7 @@ class RadiusFunction(Displayed):
     (mpq(1,1), mpq(13,4))
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any]) -> None:
+    def __init__(self, part: PartLike) -> None:
         self.part = as_part(part)
         self._hull = self.part.hull
         self._sight = look_around(self.part)

@@ -44,6 +44,11 @@ class Friction:
     angle: Angle
 
     def __post_init__(self) -> None:
+        if not isinstance(self.angle, Angle):
+            raise FrictionError(
+                f"{self.angle!r:.60} is no angle; accepted: an Angle, or Friction.of(coefficient)",
+                where="mu",
+            )
         if not ZERO <= self.angle < QUARTER_TURN:
             raise FrictionError(
                 f"friction angle {self.angle}; accepted: from 0 to below 90°", where="mu"

@@ -17,18 +17,16 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
-from typing import Any, Final, final
+from typing import Final, final
 
 from gmpy2 import mpq
-from numpy.typing import NDArray
 
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.halves import HalfAngle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.grasping.contacts import Contacts, contacts_of
 from stochgeom.grasping.friction import Friction, FrictionLike
@@ -68,7 +66,7 @@ class GuaranteedBound:
     '0.414213'
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any]) -> None:
+    def __init__(self, part: PartLike) -> None:
         self.part = as_part(part)
         radius = RadiusFunction(self.part)
         contacts = contacts_of(DiameterFunction(self.part))

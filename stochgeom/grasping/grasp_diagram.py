@@ -15,12 +15,9 @@ on the full circle all the same.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, final
-
-from numpy.typing import NDArray
+from typing import final
 
 from stochgeom.decision.priors import Prior
 from stochgeom.display import Displayed
@@ -30,8 +27,7 @@ from stochgeom.exact.cells import CellSet, merge
 from stochgeom.exact.halves import HalfAngle
 from stochgeom.exact.intervals import Interval
 from stochgeom.exact.sums import AngleSum, Probability
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.grasping.friction import Friction, FrictionLike
 from stochgeom.grasping.push_stability import Jaw, PushStability
@@ -109,7 +105,7 @@ class GraspDiagram(Displayed):
     {[329.0362°, 390.9638°]}
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any], mu: FrictionLike) -> None:
+    def __init__(self, part: PartLike, mu: FrictionLike) -> None:
         self.friction = Friction.of(mu)
         self.part = as_part(part)
         radius = RadiusFunction(self.part)

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property
-from typing import Any, final
+from typing import final
 
 from gmpy2 import mpq
-from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.exact.cells import CellSet
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.exact.sums import AngleSum, Probability
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike
 from stochgeom.grasping.friction import FrictionLike
 from stochgeom.grasping.friction_bounds import GuaranteedBound
 from stochgeom.grasping.friction_limits import FrictionLimit, as_probability
@@ -57,7 +56,7 @@ class GraspReport:
 
     def __init__(
         self,
-        part: Part | Iterable[PointLike] | NDArray[Any],
+        part: PartLike,
         mu: FrictionLike,
         *,
         tolerance: Angle | RationalLike | None = None,
@@ -65,6 +64,8 @@ class GraspReport:
         probability: RationalLike | None = None,
     ) -> None:
         self.tolerance = None if tolerance is None else _tolerance(tolerance)
+        if prior is not None:
+            expect(prior, Prior, "a prior, such as WrappedNormal('30', '12')", "prior")
         self.prior = prior
         self.probability: mpq | None = None if probability is None else as_probability(probability)
         self.diagram = GraspDiagram(part, mu)

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
-from typing import Any, Final, final
+from typing import Any, final
 
 from numpy.typing import NDArray
 
@@ -44,9 +44,6 @@ class Motion(Enum):
     CLOCKWISE = -1
     UNSTABLE = 2
     WEDGED = 3
-
-
-BOTH_JAWS: Final = (Jaw.LOWER, Jaw.UPPER)
 
 
 @final

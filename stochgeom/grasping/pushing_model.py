@@ -25,6 +25,7 @@ from typing import final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
@@ -67,6 +68,8 @@ def density_after_push(push: PushStability, theta: Angle) -> Probability:
     >>> density_after_push(square, Angle.from_degrees("22.5")).decimal(6)
     '0.693147'
     """
+    expect(push, PushStability, "a PushStability, such as PushStability(part)")
+    expect(theta, Angle, "an Angle", "theta")
     valley = push.valley_of(theta)
     end = valley.high if theta > valley.stable else valley.low
     if theta == valley.stable:
@@ -162,6 +165,7 @@ def pushing_bound(diagram: GraspDiagram) -> Probability:
     >>> pushing_bound(GraspDiagram([(0, 0), (3, 0), (3, 2), (0, 2)], "0.25")).decimal(6)
     '0.940441'
     """
+    expect(diagram, GraspDiagram, "a GraspDiagram, such as GraspDiagram(part, '1/4')")
     return mass_after_push(diagram.lower, ~diagram.wedged_set)
 
 
@@ -176,6 +180,7 @@ def pushing_bounds(diagram: GraspDiagram) -> tuple[tuple[StableEdge, Probability
     >>> [bound.decimal() for _, bound in pushing_bounds(square)]
     ['0.2363', '0.2363', '0.2363', '0.2363']
     """
+    expect(diagram, GraspDiagram, "a GraspDiagram, such as GraspDiagram(part, '1/4')")
     by_outcome: dict[int, list[tuple[int, Angle, Angle]]] = {}
     for push in diagram.jaws:
         for outcome, end in _ends_by_outcome(push, diagram.squeeze):

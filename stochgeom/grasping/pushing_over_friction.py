@@ -9,13 +9,12 @@ x = base + k alpha. It is continuous, falls from 1 at mu = 0 and comes to 0 wher
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, final
+from typing import Final, final
 
 import flint
 from gmpy2 import mpq
-from numpy.typing import NDArray
 
 from stochgeom.decision.probabilities import Atom, Enclosed
 from stochgeom.exact.angles import ZERO, Angle
@@ -23,8 +22,7 @@ from stochgeom.exact.balls import Ball, ball_sign, rational_ball
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum, Probability
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.grasping.contacts import Contacts, contacts_of
 from stochgeom.grasping.friction import Friction, FrictionLike
@@ -144,7 +142,7 @@ class PushingBound:
     ('0.9453', mpq(1,1), '0.1088')
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any]) -> None:
+    def __init__(self, part: PartLike) -> None:
         self.part = as_part(part)
         push = PushStability(RadiusFunction(self.part))
         contacts = contacts_of(DiameterFunction(self.part))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from stochgeom.arguments import as_count
 from stochgeom.errors import TooFewVerticesError
 from stochgeom.exact.sums import AngleSum
 from stochgeom.grasping.friction import Friction, FrictionLike
@@ -44,8 +45,7 @@ def regular_bound(n: int, mu: FrictionLike) -> AngleSum:
     >>> regular_bound(13, "1/4").decimal(), regular_bound(14, "1/4").decimal()
     ('0.0000', '0.0000')
     """
-    if n < LEAST_SIDES:
-        raise TooFewVerticesError(f"{n!r} sides; accepted: whole numbers from 3 on")
+    as_count(n, "sides", least=LEAST_SIDES, error=TooFewVerticesError)
     alpha = Friction.of(mu).angle
     if not alpha:
         return AngleSum(1)

@@ -25,6 +25,7 @@ from typing import Any, Final, TypeAlias, final
 
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.display import Displayed
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
@@ -125,6 +126,8 @@ class SqueezeStability(Displayed):
         self.friction = Friction.of(mu)
         diameter = part if isinstance(part, DiameterFunction) else DiameterFunction(as_part(part))
         self.part = diameter.part
+        if contacts is not None:
+            expect(contacts, Contacts, "the contacts of another one, for the same part", "contacts")
         self.contacts = contacts_of(diameter) if contacts is None else contacts
         alpha = self.friction.angle
         found, least = self.contacts, -alpha

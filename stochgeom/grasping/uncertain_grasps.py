@@ -14,7 +14,6 @@ balls of 512 bits do not tell apart counts as equal, the first one found being t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -32,8 +31,7 @@ from stochgeom.exact.balls import Ball, ball_sign, working_precision
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum, Probability
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike
 from stochgeom.grasping.friction import FrictionLike
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.pushed_rows import PushedRows, as_probability
@@ -121,7 +119,7 @@ class UncertainGrasps:
     ('45', '0.4417')
     """
 
-    def __init__(self, part: Part | Iterable[PointLike] | NDArray[Any], mu: FrictionLike) -> None:
+    def __init__(self, part: PartLike, mu: FrictionLike) -> None:
         self.diagram = GraspDiagram(part, mu)
         self.states: tuple[StableEdge, ...] = self.diagram.stable
         starts = self.diagram.squeeze.contacts.starts

@@ -5,10 +5,12 @@ from __future__ import annotations
 import errno
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from stochgeom.errors import FormatError, ReadError, WriteError
+from stochgeom.errors import FormatError, ReadError, StochgeomError, WriteError
 from stochgeom.io.rings import showable
 
 MAX_BYTES: Final = 64 * 2**20
@@ -23,7 +25,10 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
     ReadError
         If it is missing, unreadable or larger than `MAX_BYTES`.
     """
-    source = Path(os.fsdecode(path))
+    try:
+        source = Path(os.fsdecode(path))
+    except TypeError:
+        raise ReadError(f"{path!r:.60} is no path; accepted: text, or a pathlib.Path") from None
     place = showable(str(source))
     try:
         with source.open("rb") as file:
@@ -36,6 +41,24 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
     if len(content) > MAX_BYTES:
         raise ReadError(f"larger than accepted: at most {MAX_BYTES} bytes", where=place)
     return content
+
+
+@contextmanager
+def naming(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Name the file in every error about its content: several may stand on one command line.
+
+    Examples
+    --------
+    >>> with naming("part.txt"):
+    ...     raise FormatError("'1' has 1 field; accepted: two numbers", where="line 3")
+    Traceback (most recent call last):
+    ...
+    stochgeom.errors.FormatError: part.txt, line 3: '1' has 1 field; accepted: two numbers
+    """
+    try:
+        yield
+    except StochgeomError as error:
+        raise error.within(showable(os.fsdecode(path))) from None
 
 
 def decode_text(content: bytes) -> str:

@@ -7,9 +7,10 @@ import sys
 from dataclasses import replace
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import ReadError, SelfIntersectionError
 from stochgeom.geometry.part import Part
-from stochgeom.io.files import MAX_BYTES, decode_text
+from stochgeom.io.files import MAX_BYTES, decode_text, naming
 from stochgeom.io.outlines import (
     Outline,
     parse_outline,
@@ -37,21 +38,30 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     ReadError
         If it is no catalogue name and no readable file.
     InputError
-        If the content is no acceptable outline.
+        If the content is no acceptable outline; the place is the file, or "standard input", and
+        the line, vertex or edges in it.
 
     Examples
     --------
     >>> load_part("house").name
     'house'
     """
+    expect(source, str, "a name of the catalogue, or a file's path as text", "source")
     if source in catalogue_names():
         return _with_center(catalogue_part(source), center_of_mass)
     regular = re.fullmatch("regular-([0-9]{1,5})", source)
     if regular:
         return _with_center(Part.regular(int(regular[1])), center_of_mass)
     if source == "-":
-        return part_of(parse_outline(decode_text(_standard_input())), center_of_mass)
-    return part_of(_read_file(source), center_of_mass)
+        content = _standard_input()
+        with naming(_STANDARD_INPUT):
+            outline = parse_outline(decode_text(content))
+    else:
+        outline = _read_file(source)
+    if center_of_mass is not None:  # read here, as it does not stand in the file
+        outline = replace(outline, center_of_mass=_center(center_of_mass))
+    with naming(_STANDARD_INPUT if source == "-" else source):
+        return part_of(outline)
 
 
 def _with_center(part: Part, center_of_mass: str | None) -> Part:
@@ -108,6 +118,7 @@ def _standard_input() -> bytes:
 
 
 def _center(text: str) -> tuple[object, object]:
+    expect(text, str, "text such as '1,2'", "center of mass")
     return parse_point(text, where="center of mass")
 
 

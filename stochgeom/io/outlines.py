@@ -13,8 +13,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import FormatError
-from stochgeom.io.files import MAX_BYTES, decode_text, read_bytes
+from stochgeom.io.files import MAX_BYTES, decode_text, naming, read_bytes
 from stochgeom.io.json_outline import parse_json
 from stochgeom.io.plain_outline import looks_plain, parse_plain, parse_point, parse_vertices
 from stochgeom.io.rings import Outline, showable, shown
@@ -47,7 +48,8 @@ def read_outline(path: str | os.PathLike[str]) -> Outline:
     ReadError
         If the file is missing, unreadable or larger than `MAX_BYTES`.
     FormatError, NumberError, TooFewVerticesError
-        If the content is not an outline, as for `parse_outline`.
+        If the content is not an outline, as for `parse_outline`; the place is the file, and the
+        line or the vertex in it.
 
     Examples
     --------
@@ -58,7 +60,8 @@ def read_outline(path: str | os.PathLike[str]) -> Outline:
 accepted: a readable text file
     """
     content = read_bytes(path)
-    return parse_outline(decode_text(content), name=showable(Path(os.fsdecode(path)).stem))
+    with naming(path):
+        return parse_outline(decode_text(content), name=showable(Path(os.fsdecode(path)).stem))
 
 
 def parse_outline(text: str, *, name: str | None = None) -> Outline:
@@ -92,7 +95,7 @@ def parse_outline(text: str, *, name: str | None = None) -> Outline:
     stochgeom.errors.NumberError: vertex 1, y: 'nan' is not a number; accepted: whole numbers, \
 fractions and decimals such as 3, 2/7, -0.25, 1e-3
     """
-    if len(text) > MAX_BYTES:
+    if len(expect(text, str, "text", "outline")) > MAX_BYTES:
         raise FormatError(f"text of {len(text)} characters; accepted: at most {MAX_BYTES}")
     lines = text.removeprefix(_BYTE_ORDER_MARK).replace("\r\n", "\n").replace("\r", "\n")
     outline = _parse_sniffed(lines)

@@ -32,13 +32,13 @@ from stochgeom.decision.density_priors import VonMises, WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.mixture_prior import MixturePrior
 from stochgeom.decision.piecewise_prior import MAX_BINS, PiecewisePrior
-from stochgeom.decision.priors import Prior, as_share, uniform_prior
+from stochgeom.decision.priors import Prior, as_orientation, as_share, uniform_prior
 from stochgeom.errors import FormatError, InvalidArcError, PriorError, ReadError, StochgeomError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.scalars import parse_rational
 from stochgeom.io.exact_json import kind_of, load_json
-from stochgeom.io.files import decode_text, read_bytes
+from stochgeom.io.files import decode_text, naming, read_bytes
 from stochgeom.io.rings import shown
 
 ACCEPTED: Final = (
@@ -48,9 +48,24 @@ ACCEPTED: Final = (
 
 _MAX_DEPTH: Final = 20
 
+Tell = Callable[[float], None]
 
-def load_prior(source: str) -> Prior:
+_INTERVAL: Final = 256
+"""Entries between two reports of progress."""
+
+_READING: Final = 0.35
+"""Share of the work that reading is, of 300,000 measurements; the rest weighs and sorts them."""
+
+
+def load_prior(source: str, tell: Tell | None = None) -> Prior:
     """Return the prior that a source names; see the module for what a file may hold.
+
+    Parameters
+    ----------
+    source : str
+        A known word, or the path of a file.
+    tell : callable, optional
+        Told the share of the work done now and then.
 
     Raises
     ------
@@ -81,14 +96,11 @@ def load_prior(source: str) -> Prior:
         raise ReadError(
             f"neither a kind of prior nor a file; {ACCEPTED}", where=error.where
         ) from None
-    try:
-        return parse_prior(decode_text(content))
-    except StochgeomError as error:  # several files may be named on one command line
-        place = source if error.where is None else f"{source}, {error.where}"
-        raise type(error)(error.message, where=place) from None
+    with naming(source):
+        return parse_prior(decode_text(content), tell)
 
 
-def parse_prior(text: str) -> Prior:
+def parse_prior(text: str, tell: Tell | None = None) -> Prior:
     r"""Return the prior that the content of a file describes.
 
     Examples
@@ -97,9 +109,13 @@ def parse_prior(text: str) -> Prior:
     'discrete, 2 orientations'
     """
     if text.lstrip("\ufeff \t\r\n").startswith(("{", "[")):
-        return _from_json(load_json(text.lstrip("\ufeff"), ACCEPTED), "", 0)
-    counts: list[tuple[mpq, mpq]] = []
-    for number, line in enumerate(text.lstrip("\ufeff").splitlines(), start=1):
+        read = _Entries(text.count(","), tell)
+        return _from_json(load_json(text.lstrip("\ufeff"), ACCEPTED), "", 0, read)
+    lines = text.lstrip("\ufeff").splitlines()
+    read = _Entries(len(lines), tell)
+    counts: dict[Angle, mpq] = {}
+    for number, line in enumerate(lines, start=1):
+        read.next()
         fields = line.partition("#")[0].replace(",", " ").split()
         if not fields:
             continue
@@ -110,18 +126,30 @@ def parse_prior(text: str) -> Prior:
                 "seen",
                 where=place,
             )
-        angle = parse_rational(fields[0], where=place)
+        angle = as_orientation(fields[0], where=place)
         times = as_share(fields[1], where=place, what="count") if len(fields) > 1 else mpq(1)
-        counts.append((angle, times))
+        counts[angle] = counts.get(angle, mpq(0)) + times
     if not counts:
         raise FormatError(f"no orientations; {ACCEPTED}")
-    return DiscretePrior.from_counts(counts)
+    return DiscretePrior.from_counts(counts.items())
+
+
+class _Entries:
+    """Counts the entries of a file while they are read, and tells how far that is."""
+
+    def __init__(self, total: int, tell: Tell | None) -> None:
+        self._total, self._tell, self._done = total, tell, 0
+
+    def next(self) -> None:
+        self._done += 1
+        if self._tell is not None and self._done % _INTERVAL == 0:
+            self._tell(min(_READING * self._done / self._total, 1.0))
 
 
 # --- JSON ----------------------------------------------------------------------------------------
 
 
-def _from_json(document: Any, place: str, depth: int) -> Prior:
+def _from_json(document: Any, place: str, depth: int, read: _Entries) -> Prior:
     if depth > _MAX_DEPTH:
         raise FormatError(f"mixtures in mixtures, {depth} deep; accepted: at most {_MAX_DEPTH}")
     if not isinstance(document, dict):
@@ -141,7 +169,7 @@ def _from_json(document: Any, place: str, depth: int) -> Prior:
             where=f"{place}kind",
         )
     try:
-        return make(*(_Field(document[key], f"{place}{key}", depth) for key in keys))
+        return make(*(_Field(document[key], f"{place}{key}", depth, read) for key in keys))
     except StochgeomError as error:
         where = error.where or ""
         if where.startswith(place):
@@ -153,10 +181,11 @@ def _from_json(document: Any, place: str, depth: int) -> Prior:
 class _Field:
     """A value in the document, with the place where it stands."""
 
-    def __init__(self, value: Any, place: str, depth: int) -> None:
-        self.value, self.place, self.depth = value, place, depth
+    def __init__(self, value: Any, place: str, depth: int, read: _Entries) -> None:
+        self.value, self.place, self.depth, self.read = value, place, depth, read
 
     def number(self) -> mpq:
+        self.read.next()
         if not isinstance(self.value, str):
             raise FormatError(
                 f"{kind_of(self.value)}; accepted: a number, or its text", where=self.place
@@ -166,7 +195,9 @@ class _Field:
     def items(self) -> list[_Field]:
         if not isinstance(self.value, list):
             raise FormatError(f"{kind_of(self.value)}; accepted: a list", where=self.place)
-        return [_Field(v, f"{self.place} {k}", self.depth) for k, v in enumerate(self.value)]
+        return [
+            _Field(v, f"{self.place} {k}", self.depth, self.read) for k, v in enumerate(self.value)
+        ]
 
     def rows(self, what: str) -> list[list[_Field]]:
         found = []
@@ -178,7 +209,7 @@ class _Field:
         return found
 
     def prior(self) -> Prior:
-        return _from_json(self.value, f"{self.place}, ", self.depth + 1)
+        return _from_json(self.value, f"{self.place}, ", self.depth + 1, self.read)
 
 
 def _discrete(points: _Field) -> Prior:

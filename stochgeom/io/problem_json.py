@@ -24,6 +24,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from stochgeom.decision.number_kinds import NumberKind, as_float
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import FormatError, ProblemError, StochgeomError
 from stochgeom.exact.angles import Angle
@@ -31,7 +32,7 @@ from stochgeom.exact.scalars import parse_rational, rational_text
 from stochgeom.exact.sums import AngleSum
 from stochgeom.io.cost_json import cost_from_json, cost_to_json
 from stochgeom.io.exact_json import kind_of, load_json
-from stochgeom.io.files import decode_text, read_bytes
+from stochgeom.io.files import decode_text, naming, read_bytes
 from stochgeom.io.rings import shown
 
 SCHEMA: Final = "stochgeom/problem/1"
@@ -55,12 +56,9 @@ def load_problem(path: str) -> PlanningProblem:
     ProblemError
         If the problem is not well formed.
     """
-    text = decode_text(read_bytes(path))
-    try:
-        return parse_problem(text)
-    except StochgeomError as error:
-        place = path if error.where is None else f"{path}, {error.where}"
-        raise type(error)(error.message, where=place) from None
+    content = read_bytes(path)
+    with naming(path):
+        return parse_problem(decode_text(content))
 
 
 def parse_problem(text: str) -> PlanningProblem:
@@ -214,6 +212,7 @@ def problem_document(problem: PlanningProblem) -> Json:
     >>> problem_from_json(document) == turn
     True
     """
+    check_problem(problem)
     for what, labels in (("state", problem.states), ("action", problem.actions)):
         for label in labels:
             if not isinstance(label, str):

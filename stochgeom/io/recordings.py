@@ -28,11 +28,11 @@ from typing import Any, Final, final
 
 from gmpy2 import mpq
 
-from stochgeom.errors import FormatError, StochgeomError
+from stochgeom.errors import FormatError
 from stochgeom.exact.scalars import RationalLike, parse_rational, rational, rational_text
 from stochgeom.io.exact_json import kind_of, load_json
-from stochgeom.io.files import decode_text, read_bytes, write_whole
-from stochgeom.io.rings import showable, shown
+from stochgeom.io.files import decode_text, naming, read_bytes, write_whole
+from stochgeom.io.rings import shown
 from stochgeom.tilting.counts import MOST_KINDS, OTHER, TransitionCounts, numbered
 from stochgeom.tilting.estimation import ALPHA, TransitionModel
 
@@ -96,12 +96,8 @@ def load_recording(path: str, states: int | None = None, actions: int | None = N
         If a line names a state or an action that does not exist, or a negative count.
     """
     content = read_bytes(path)
-    try:
+    with naming(path):
         return parse_recording(decode_text(content), states, actions)
-    except StochgeomError as error:
-        name = showable(path)
-        place = name if error.where is None else f"{name}, {error.where}"
-        raise type(error)(error.message, where=place) from None
 
 
 def parse_recording(text: str, states: int | None = None, actions: int | None = None) -> Recording:

@@ -15,9 +15,9 @@ from __future__ import annotations
 from typing import Any, Final
 
 from stochgeom.decision.planning_problem import PlanningProblem
-from stochgeom.errors import FormatError, ProblemError, StochgeomError
+from stochgeom.errors import FormatError, ProblemError
 from stochgeom.io.exact_json import kind_of, load_json
-from stochgeom.io.files import decode_text, read_bytes
+from stochgeom.io.files import decode_text, naming, read_bytes
 from stochgeom.io.problem_json import ACCEPTED, NumberReader, number_json, problem_from_json
 from stochgeom.io.rings import shown
 from stochgeom.sensing.sensors import Sensor
@@ -37,12 +37,9 @@ def load_sensed_problem(path: str) -> tuple[PlanningProblem, dict[str, Sensor]]:
     ProblemError
         If the problem, or a sensor, is not well formed.
     """
-    text = decode_text(read_bytes(path))
-    try:
-        return parse_sensed_problem(text)
-    except StochgeomError as error:
-        place = path if error.where is None else f"{path}, {error.where}"
-        raise type(error)(error.message, where=place) from None
+    content = read_bytes(path)
+    with naming(path):
+        return parse_sensed_problem(decode_text(content))
 
 
 def parse_sensed_problem(text: str) -> tuple[PlanningProblem, dict[str, Sensor]]:
@@ -101,8 +98,7 @@ def _sensor(name: str, document: Any, problem: PlanningProblem, reader: NumberRe
             name=name,
         )
     except ProblemError as error:
-        where = place if error.where is None else f"{place}, {error.where}"
-        raise type(error)(error.message, where=where) from None
+        raise error.within(place) from None
 
 
 def sensors_document(sensors: dict[str, Sensor]) -> Json:

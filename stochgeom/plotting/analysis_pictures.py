@@ -5,17 +5,14 @@ Needs the extra ``plot``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from numpy.typing import NDArray
-
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.feeding.preimages import Preimage, preimages
 from stochgeom.feeding.problem import FeedingProblem
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
-from stochgeom.plotting.arguments import expect
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
 from stochgeom.plotting.curves import bars_of, in_degrees, turns_for
 from stochgeom.plotting.function_pictures import (
@@ -33,8 +30,6 @@ from stochgeom.transfer.step_function import StepFunction
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 
 def draw_analysis(problem: FeedingProblem, axes: Sequence[Axes] | None = None) -> tuple[Axes, ...]:

@@ -11,9 +11,9 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError, MissingExtraError
 from stochgeom.io.files import write_whole
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.scene import Disc, Label, Line, Scene, Shape
 from stochgeom.plotting.styles import INK, STYLES, Style
 
@@ -180,7 +180,7 @@ def save_figure(
     need_matplotlib()
     import matplotlib
 
-    target = Path(path)
+    target = Path(expect(path, str | os.PathLike, "text, or a pathlib.Path", "path"))
     kind = target.suffix.removeprefix(".").lower()
     if kind not in FORMATS:
         accepted = ", ".join(f".{name}" for name in FORMATS)

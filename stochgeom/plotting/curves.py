@@ -11,6 +11,7 @@ from typing import Final, final
 
 import numpy as np
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.shadows import shadow
@@ -18,7 +19,7 @@ from stochgeom.exact.vectors import AngleVector
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.radius import RadiusFunction
-from stochgeom.plotting.arguments import MOST_TURNS, as_count, expect
+from stochgeom.plotting.arguments import MOST_TURNS
 from stochgeom.plotting.silhouettes import FloatArray
 from stochgeom.transfer.step_function import StepFunction
 
@@ -74,7 +75,7 @@ def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave
     >>> wave.minima.tolist(), wave.at_minima.round(3).tolist()
     ([0.0, 90.0, 180.0, 270.0, 360.0], [2.0, 3.0, 2.0, 3.0, 2.0])
     """
-    end = 360.0 * as_count(turns, MOST_TURNS, "turns")
+    end = 360.0 * as_count(turns, "turns", most=MOST_TURNS)
     x = np.linspace(0.0, end, 720 * turns + 1)
     own = 180.0 if isinstance(function, DiameterFunction) else 360.0
     corners = np.degrees(function.transitions.shadow)
@@ -126,7 +127,7 @@ def steps_of(transfer: StepFunction, turns: int = 1) -> Steps:
     ([0.0, 10.0], [10.0, 360.0], [-270.0, 90.0])
     """
     expect(transfer, StepFunction, "a step function, such as squeeze_function(part)")
-    as_count(turns, MOST_TURNS, "turns")
+    as_count(turns, "turns", most=MOST_TURNS)
     breaks, values = transfer.lifted_breaks, transfer.lifted_values
     count = len(transfer) * transfer.order * turns
     first = 0 if not breaks[0] else -1  # the step that holds 0 may begin before it

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.decision.decision_rules import DecisionProblem, Rule
 from stochgeom.errors import InputError, SensorError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
 from stochgeom.plotting.function_pictures import LETTERS
 from stochgeom.plotting.styles import INK, STYLES

@@ -16,13 +16,13 @@ from typing import Any, Final, final
 import numpy as np
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.plotting.arguments import as_count, expect
 from stochgeom.plotting.distributions import BINS, bin_masses, fitted
 from stochgeom.plotting.grasps import Pose, part_shapes, pose_shapes
 from stochgeom.plotting.scene import (
@@ -112,7 +112,7 @@ def feeder_of(plan: FeedingPlan, parts: int, seed: int, *, up_to_symmetry: bool)
     plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
     if plan.part is None:
         raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
-    count = as_count(parts, MOST_PARTS, "parts on the belt") + len(stations_of(plan)) + 1
+    count = as_count(parts, "parts on the belt", most=MOST_PARTS) + len(stations_of(plan)) + 1
     random = np.random.default_rng(_as_seed(seed))
     thetas = tuple(random_orientations(plan.prior, count, random))
     return Feeder(plan, thetas, plan.transfer.period if up_to_symmetry else FULL_TURN)

@@ -5,7 +5,7 @@ Needs the extra ``plot``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final
 
@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from stochgeom.errors import FrictionError
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.grasping.friction_bounds import GuaranteedBound
 from stochgeom.grasping.pushing_over_friction import PushingBound
 from stochgeom.plotting.axes import axes_or_new
@@ -26,7 +25,6 @@ from stochgeom.plotting.styles import INK, STYLES
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 _SAMPLES: Final = 120
 _JUMP: Final = 1e-9

@@ -11,16 +11,14 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.errors import InputError
 from stochgeom.feeding.preimages import Preimage, Preimages
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike
 from stochgeom.geometry.radius import RadiusFunction
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
 from stochgeom.plotting.curves import (
     Bar,
@@ -40,7 +38,6 @@ from stochgeom.transfer.step_function import StepFunction
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 _MOST_NUMBERS: Final = 30
 

@@ -15,12 +15,12 @@ from typing import Final, final
 
 import numpy as np
 
+from stochgeom.arguments import expect
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.priors import Prior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.distributions import bin_masses, fitted
 from stochgeom.plotting.graph import TEXT, Panel, degree_ticks

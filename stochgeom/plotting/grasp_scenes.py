@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from stochgeom.errors import InputError
+from stochgeom.arguments import as_count
 from stochgeom.exact.angles import HALF_TURN, Angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.gripper_error import GripperError, as_gripper_error
@@ -75,8 +75,7 @@ def stable_scene(part: Part, most: int = MOST_GRASPS) -> Scene:
     InputError
         If ``most`` is below 1.
     """
-    if most < 1:
-        raise InputError(f"{most} grasps; accepted: 1 or more")
+    as_count(most, "grasps")
     grasps = sorted(stable_grasps(part), key=lambda grasp: (grasp.stability, grasp.orientation))
     best, body, scene = most_stable_grasps(part), silhouette(part, _MOST_CORNERS), Scene()
     shown = grasps[-most:]

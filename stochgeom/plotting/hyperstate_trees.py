@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from itertools import product
 from typing import Any, Final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.infinity import is_infinite
 from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.errors import InputError, NodeLimitError
 from stochgeom.exact.quotients import number_decimal
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.graph import TEXT
 from stochgeom.plotting.scene import GLYPH_WIDTH, XY, Label, Line, Scene, rectangle
 

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Final
 
+from stochgeom.arguments import as_count
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.feeding.closures import Closure
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.plotting.arguments import as_count
 from stochgeom.plotting.closure_scenes import LOOKS, NAMES
 from stochgeom.plotting.curves import MOST_MARKED, in_degrees
 from stochgeom.plotting.graph import TEXT, Panel, round_ticks
@@ -37,7 +37,7 @@ def monotone_step_scene(plan: FeedingPlan, closure: Closure, step: int = 1) -> S
     Before the action they stand in rows under the graph, after it in columns on its right: in the
     same order, because the function never falls (Eq. 5.5).
     """
-    step = as_count(step, plan.steps, "as the number of an action")
+    step = as_count(step, "as the number of an action", most=plan.steps)
     alpha = plan.angles[step - 1]
     before: tuple[AnyArc, ...] = (closure.first, closure.gap, closure.last)
     if step > 1:

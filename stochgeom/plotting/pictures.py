@@ -6,19 +6,15 @@ axes. What a caption claims (stable, cancelled, a probability) is decided exactl
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from numpy.typing import NDArray
-
-from stochgeom.exact.angles import Angle
-from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.arguments import as_list
 from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
+from stochgeom.plotting.arguments import Orientation, as_angle
 from stochgeom.plotting.axes import draw_scene, need_matplotlib
-from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.grasp_scenes import error_scene, grasp_scene, stable_scene
 from stochgeom.plotting.gripper_scenes import (
@@ -33,23 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from stochgeom.decision.priors import Prior
-
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
-Orientation: TypeAlias = "Angle | RationalLike"
-"""An angle, or degrees as an exact number or text."""
-
-
-def as_angle(theta: Orientation) -> Angle:
-    """Return an angle as it is, or of degrees.
-
-    Examples
-    --------
-    >>> as_angle("22.5").degrees(1)
-    '22.5'
-    """
-    if isinstance(theta, Angle):
-        return theta
-    return Angle.from_turns(rational(theta, where="degrees") / 360)
 
 
 def draw_part(part: PartLike, ax: Axes | None = None, *, hull: bool = True) -> Axes:
@@ -201,6 +180,7 @@ def draw_closing(part: PartLike, theta: Orientation, ax: Axes | None = None) -> 
     Examples
     --------
     >>> from matplotlib.figure import Figure
+    >>> from stochgeom.geometry.part import Part
     >>> ax = draw_closing(Part.regular(6), 15, Figure().subplots())
     >>> ax.texts[-1].get_text()
     '3: stable, 0.00°'
@@ -224,6 +204,7 @@ def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None)
     Examples
     --------
     >>> from matplotlib.figure import Figure
+    >>> from stochgeom.geometry.part import Part
     >>> ax = draw_sliding_jaw(Part.regular(6), 20, Figure().subplots())
     >>> [text.get_text() for text in ax.texts]
     ['friction: wedged at 20.00°', 'sliding jaw: stable at 0.00°']
@@ -270,7 +251,10 @@ def draw_trace(
     ['10.0°', '0.0°', '100.0°', '180.0°']
     """
     need_matplotlib()
-    chosen = None if orientations is None else [as_angle(theta) for theta in orientations]
+    chosen = None
+    if orientations is not None:
+        listed = as_list(orientations, "a list of angles, or of degrees", "orientations")
+        chosen = [as_angle(theta) for theta in listed]
     return draw_scene(trace_scene(plan, chosen, distribution=distribution), ax, inches=0.31)
 
 
@@ -299,63 +283,3 @@ def draw_funnel(plan: FeedingPlan, ax: Axes | None = None, *, prior: Prior | Non
     """
     need_matplotlib()
     return draw_scene(funnel_scene(plan, prior), ax, inches=1 / 80)
-
-
-def draw_sensed_blocks(
-    prior: Sequence[RationalLike], likelihood: Sequence[RationalLike], ax: Axes | None = None
-) -> Axes:
-    """Draw what a sensor reading makes of a distribution over places (thesis Fig. 1.2).
-
-    Parameters
-    ----------
-    prior : sequence of rational
-        A weight for each place; they are divided by their sum.
-    likelihood : sequence of rational
-        How likely the reading is in each place.
-    ax : Axes, optional
-        Where; default: on a new figure.
-
-    Raises
-    ------
-    InputError
-        If the lengths differ, or the reading is impossible under the prior.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> ax = draw_sensed_blocks([1, 1, 1, 1], [1, 2, 4, 3], Figure().subplots())
-    >>> [text.get_text() for text in ax.texts][-4:]
-    ['1/10', '1/5', '2/5', '3/10']
-    """
-    need_matplotlib()
-    return draw_scene(sensed_blocks_scene(prior, likelihood), ax, inches=0.6)
-
-
-def draw_scooped_blocks(
-    prior: Sequence[RationalLike], lands: Sequence[int], ax: Axes | None = None
-) -> Axes:
-    """Draw what a blind action makes of a distribution over places (thesis Fig. 1.3).
-
-    Parameters
-    ----------
-    prior : sequence of rational
-        A weight for each place; they are divided by their sum.
-    lands : sequence of int
-        The place, counted from 0, that a block in each place is moved to.
-    ax : Axes, optional
-        Where; default: on a new figure.
-
-    Raises
-    ------
-    InputError
-        If the lengths differ, or a number names no place.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> ax = draw_scooped_blocks([1, 1, 1, 1], [0, 1, 3, 3], Figure().subplots())
-    >>> [text.get_text() for text in ax.texts][-4:]
-    ['1/4', '1/4', '0', '1/2']
-    """
-    need_matplotlib()
-    return draw_scene(scooped_blocks_scene(prior, lands), ax, inches=0.6)

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.surds import Scalar, scalar_to_float
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import Point, PointLike, Points
+from stochgeom.geometry.part import PartLike, as_part
+from stochgeom.geometry.points import Point, Points
 from stochgeom.plotting.scene import XY
 
 FloatArray = NDArray[np.float64]
@@ -78,9 +78,7 @@ def rotation(angle: float) -> FloatArray:
     return np.array([[c, -s], [s, c]])
 
 
-def silhouette(
-    part: Part | Iterable[PointLike] | NDArray[Any], most: int = MOST_DRAWN
-) -> Silhouette:
+def silhouette(part: PartLike, most: int = MOST_DRAWN) -> Silhouette:
     """Return a part in floats, of larger outlines about ``most`` vertices.  O(n).
 
     Examples

@@ -28,6 +28,7 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
+from stochgeom.plotting.block_pictures import draw_scooped_blocks, draw_sensed_blocks
 from stochgeom.plotting.closure_pictures import draw_closure, draw_monotone_step
 from stochgeom.plotting.decision_pictures import draw_risks, draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density
@@ -41,8 +42,6 @@ from stochgeom.plotting.pictures import (
     draw_closing,
     draw_funnel,
     draw_gripper,
-    draw_scooped_blocks,
-    draw_sensed_blocks,
     draw_sliding_jaw,
     draw_stable_grasps,
     draw_trace,

@@ -5,19 +5,18 @@ Stability and squeeze-grasp diagrams (thesis Figs. 3.5 to 3.7), the density afte
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stochgeom.geometry.part import Part
-from stochgeom.geometry.points import PointLike
+from stochgeom.arguments import expect
+from stochgeom.geometry.part import PartLike
 from stochgeom.grasping.friction import FrictionLike
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.push_stability import Jaw, PushStability
 from stochgeom.grasping.squeeze_stability import SqueezeStability
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.function_pictures import LETTERS
@@ -29,7 +28,6 @@ from stochgeom.plotting.styles import INK, STYLES
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PartLike = Part | Iterable[PointLike] | NDArray[Any]
 
 _INCHES: Final = 1 / 80
 _SAMPLES: Final = 120

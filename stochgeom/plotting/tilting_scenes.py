@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from stochgeom.plotting.arguments import expect
+from stochgeom.arguments import expect
 from stochgeom.plotting.grasps import turn_shapes
 from stochgeom.plotting.scene import (
     Disc,

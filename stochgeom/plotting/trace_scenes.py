@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.distributions import Strip, add_distribution, add_prior, add_scale
 from stochgeom.plotting.grasps import REACH, Pose, pose_shapes
 from stochgeom.plotting.scene import Label, Line, Scene, Shape, shown_degrees

@@ -11,9 +11,9 @@ from typing import Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.exact.decimals import rational_decimal
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.scene import XY, Label, Polygon, Scene, arrow, rectangle
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.states import ACTIONS, CANONICAL, STATES, CanonicalState, azimuth, half_sizes

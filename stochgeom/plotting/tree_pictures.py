@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.plotting.and_or_scenes import and_or_scene
-from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import draw_scene, need_matplotlib
 from stochgeom.plotting.hyperstate_trees import open_loop_scene
 from stochgeom.plotting.tree_scenes import tree_scene

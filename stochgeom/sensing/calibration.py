@@ -12,9 +12,11 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.entropy import entropy_of
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import common_kind, numbered, read_number
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import ShapeMismatchError
 from stochgeom.sensing.decisions import Decisions, lose_by_table
@@ -128,9 +130,12 @@ def calibration_problem(
       in (0.3000): broken (0.1667)
       out (0.7000): sound (0.3571)
     """
+    check_problem(problem)
+    expect(sensors, Mapping, "a mapping from values of the parameter to sensors", "sensors")
     values = Labels(sensors, "value")
     first = sensors[values.all[0]]
     for value, sensor in sensors.items():
+        expect(sensor, Sensor, "a Sensor", f"sensor for {named(value)}")
         same = sensor.readings == first.readings and sensor.cost == first.cost
         if not same or sensor.states != problem.states:
             raise ShapeMismatchError(
@@ -168,6 +173,8 @@ def _weights(
     values: Labels, weights: Mapping[Hashable, Any] | None, problem: PlanningProblem
 ) -> dict[Any, Any]:
     """Return the prior of the values, in the problem's numbers."""
+    if weights is not None:
+        expect(weights, Mapping, "a mapping from values to numbers", "weights")
     given = {value: f"1/{len(values)}" for value in values} if weights is None else dict(weights)
     for value in given:
         values.number(value, where="weights")
@@ -206,6 +213,9 @@ def expected_entropy(tree: PlanTree, group: Callable[[Any], Hashable] | None = N
     >>> expected_entropy(plan.tree).decimal(4)
     '0.8113'
     """
+    expect(tree, PlanTree, "the tree of a plan, such as sensor_plan(...).tree")
+    if group is not None:
+        expect(group, Callable, "a function of a state", "group")
     shares, masses = [], []
     for leaf in tree.leaves():
         gathered: dict[Hashable, Any] = {}

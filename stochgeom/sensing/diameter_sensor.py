@@ -21,6 +21,7 @@ from typing import Any, Final, final
 
 from gmpy2 import is_square, isqrt, mpq
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.errors import NotRationalError, SensorError
 from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.angles import Angle
@@ -28,9 +29,8 @@ from stochgeom.exact.balls import rational_ball
 from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.feeding.planning_problems import planning_problem_of
-from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.sensing.gaussian import gaussian_bins
 from stochgeom.sensing.sensors import Sensor
 
@@ -123,6 +123,7 @@ def diameter_sensor(
     diameter = part if isinstance(part, DiameterFunction) else DiameterFunction(as_part(part))
     if orientations is None:
         orientations = planning_problem_of(diameter.part).orientations
+    expect(orientations, Mapping, "a mapping from labels to angles", "orientations")
     squares = {label: diameter.squared(theta) for label, theta in orientations.items()}
     return sensor_of_diameters(squares, bits, noise, **settings)
 
@@ -302,7 +303,12 @@ def covered_range(
     """
     if between is None:
         return jaw_range(squares.values())
-    low, high = (rational(value, where="range of the sensor") for value in between)
+    pair = as_list(between, "a pair of distances", "range of the sensor", SensorError)
+    if len(pair) != 2:
+        raise SensorError(
+            f"{between!r:.60}; accepted: a pair of distances", where="range of the sensor"
+        )
+    low, high = (rational(value, where="range of the sensor") for value in pair)
     if not low < high:
         raise SensorError(
             f"from {low} to {high}; accepted: an increasing pair", where="range of the sensor"

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, final
 
+from stochgeom.arguments import expect
 from stochgeom.decision.labels import Labels
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.probabilities import Enclosed
@@ -149,6 +150,7 @@ def one_step_plan(
     >>> plan.printed_cost, blind.expected_cost, plan.expected_cost
     (mpq(11,5), mpq(5,3), mpq(10,7))
     """
+    expect(sensor, Sensor, "a Sensor, such as Sensor.noisy(states, '1/10')")
     weights = sensor.weights(prior)
     kind = NumberKind.FLOAT if isinstance(weights[0], float) else NumberKind.RATIONAL
     cost = read_number(round_cost, kind, "cost of a round")

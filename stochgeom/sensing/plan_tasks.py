@@ -23,6 +23,7 @@ from typing import Any, Final, TypeAlias
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -230,7 +231,9 @@ def labelled(sensors: Sensors) -> dict[Any, Sensor]:
     if isinstance(sensors, Mapping):
         found = dict(sensors)
     else:
-        listed = [sensors] if isinstance(sensors, Sensor) else list(sensors)
+        listed = (
+            [sensors] if isinstance(sensors, Sensor) else as_list(sensors, "sensors", "sensors")
+        )
         names = [
             getattr(sensor, "name", None) or ("sensor" if len(listed) == 1 else f"sensor {k}")
             for k, sensor in enumerate(listed)
@@ -266,15 +269,15 @@ def _stages(horizon: int | None, stages: Sequence[str] | None, node_limit: int) 
     if (horizon is None) == (stages is None):
         raise InputError("neither or both of a horizon and stages; accepted: one of them")
     if stages is None:
-        if not isinstance(horizon, int) or isinstance(horizon, bool) or horizon < 0:
-            raise InputError(f"{horizon!r}; accepted: whole numbers from 0 on", where="horizon")
-        if horizon > node_limit:
+        moves = as_count(horizon, "moves", least=0, where="horizon")
+        if moves > node_limit:
             raise NodeLimitError(
-                f"{horizon} moves make a tree of more than {node_limit} nodes; accepted: fewer, or "
+                f"{moves} moves make a tree of more than {node_limit} nodes; accepted: fewer, or "
                 "another node limit",
                 where="horizon",
             )
-        return ("any",) * horizon
+        return ("any",) * moves
+    stages = as_list(stages, f"a list of {', '.join(STAGES)}", "stages")
     for stage in stages:
         if stage not in STAGES:
             raise InputError(f"{stage!r}; accepted: {', '.join(STAGES)}", where="stages")

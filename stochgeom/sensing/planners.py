@@ -17,6 +17,7 @@ from typing import Any
 from stochgeom.decision.additive_costs import goal_numbers
 from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.plan_costs import Prices, read_prices
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import CostError
 from stochgeom.sensing.decisions import Decisions, accept_groups, accept_one_of, lose_by_state
@@ -105,6 +106,7 @@ def sensor_plan(
         do turn
         end (0.0000)
     """
+    check_problem(problem)
     prices = None if action_costs is None else read_prices(problem, action_costs)
     if decisions is None:
         decisions, own = lose_by_state(problem)
@@ -170,6 +172,7 @@ def iterative_sensor_plan(
     >>> plan.expected_cost, plan.success, plan.proven
     (mpq(10,7), mpq(7,10), True)
     """
+    check_problem(problem)
     if not isinstance(accepted, Decisions):
         accepted = accept_one_of(problem.states, accepted)
     prices = read_prices(problem, action_costs)
@@ -206,6 +209,7 @@ def plan_for_cost(
     >>> plan_for_cost(problem, Sensor.from_function(range(3), lambda s: s == 0), 1).expected_cost
     mpq(8,3)
     """
+    check_problem(problem)
     cost = problem.cost
     if not isinstance(cost, IterativeCost):
         return sensor_plan(problem, sensors, horizon, **settings)

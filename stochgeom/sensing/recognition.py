@@ -31,9 +31,8 @@ from stochgeom.exact.scalars import RationalLike
 from stochgeom.exact.sums import AngleSum
 from stochgeom.feeding.action_classes import action_classes
 from stochgeom.feeding.planning_problems import planning_problem_of_transfer
-from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.sensing.decisions import Decisions, lose_by_table
 from stochgeom.sensing.diameter_sensor import sensor_of_diameters
 from stochgeom.sensing.planners import sensor_plan

@@ -15,6 +15,7 @@ from typing import Any
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.decision.labels import Labels, named
 from stochgeom.errors import SensorError
 from stochgeom.exact.scalars import RationalLike, common_denominator, from_float_exact, rational
@@ -55,11 +56,13 @@ def sensor_from_counts(
     >>> sensor_from_counts(["x", "y"], {"a": {"x": 3, "y": 1}, "b": {"y": 2}}).likelihood
     ((mpq(3,4), mpq(1,4)), (mpq(0,1), mpq(1,1)))
     """
-    labels = Labels(list(readings), "reading")
+    labels = Labels(readings, "reading")
     extra = rational(pseudo_count, where="pseudo count")
+    expect(counts, Mapping, "a mapping from states to mappings from readings", "counts")
     table = {}
     for state, seen in counts.items():
         place = f"counts of state {named(state)}"
+        expect(seen, Mapping, "a mapping from readings to counts", place)
         for reading in seen:
             labels.number(reading, where=place)
         row = [rational(seen.get(x, 0), where=place) + extra for x in labels]
@@ -96,8 +99,9 @@ def sampled_sensor(
     >>> [str(p) for p in sampled_sensor(model, 1000).likelihood[0]]
     ['227/250', '23/250']
     """
-    if times < 1:
-        raise SensorError(f"{times} readings; accepted: 1 or more", where="times")
+    expect(sensor, Sensor, "a Sensor, such as Sensor.noisy(states, '1/10')")
+    as_count(times, "readings", error=SensorError, where="times")
+    as_count(seed, "as a seed", least=0)
     chance = random.Random(seed)
     counts = {
         state: Counter(sensor.readings[_draw(row, chance)] for _ in range(times))

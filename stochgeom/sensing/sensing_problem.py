@@ -12,14 +12,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
+from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.costs import as_cost_ratio
-from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.planning_problems import OrientingProblem, planning_problem_of_transfer
-from stochgeom.feeding.problem import PartLike
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import as_part
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.sensing.diameter_sensor import (
     LIKELIHOOD_DIGITS,
     check_rational,
@@ -135,7 +134,8 @@ class SensingProblem:
         self.orienting: OrientingProblem = planning_problem_of_transfer(
             transfer, prior=prior, all_periods=transfer.order > 2, name=self.part.name
         )
-        self.accepted = None if accepted is None else tuple(accepted)
+        states = "a list of states"
+        self.accepted = None if accepted is None else tuple(as_list(accepted, states, "accepted"))
         self.squared_diameters = {
             label: diameter.squared(theta) for label, theta in self.states.items()
         }
@@ -229,8 +229,7 @@ class SensingProblem:
         7.4164 6.3023
         5.0018 5.1314
         """
-        if actions < 0:
-            raise InputError(f"{actions} actions; accepted: 0 or more")
+        as_count(actions, "actions", least=0)
         squeezes = ["act"] * actions
 
         def best(stages: Sequence[str]) -> SensorPlan:

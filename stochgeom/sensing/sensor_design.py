@@ -16,11 +16,13 @@ from functools import cmp_to_key
 from itertools import product
 from typing import Any, final
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.decision.labels import Labels
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import MixedNumbersError, ShapeMismatchError
 from stochgeom.exact.scalars import RationalLike, rational
-from stochgeom.feeding.problem import PartLike
+from stochgeom.geometry.part import PartLike
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.sensor_plan import SensorPlan
@@ -89,6 +91,7 @@ def compare_sensors(
     rough 25/18
     narrow 3/2
     """
+    expect(sensors, Mapping, "a mapping from labels to sensors", "sensors")
     found = [
         RankedSensor(
             label, sensors[label], planner(problem, {label: sensors[label]}, horizon, **settings)
@@ -132,6 +135,9 @@ def place_sensor(
     >>> [(best.label, str(best.plan.expected_cost)) for best in found]
     [(3, '4/3'), (1, '8/5'), (2, '8/5')]
     """
+    check_problem(problem)
+    expect(places, Mapping, "a mapping from places to costs", "places")
+    expect(see, Callable, "a function of a place and a state", "see")
     sensors = {}
     for place, cost in places.items():
         rows = {
@@ -190,7 +196,7 @@ def choose_bits(
     0 11.98
     """
     found = []
-    for bits in range(most + 1):
+    for bits in range(as_count(most, "bits", least=0, where="most") + 1):
         cost = rational(cost_per_bit, where="cost of a bit") * bits
         problem = SensingProblem(part, bits, noise, sensor_cost=cost, **settings)
         found.append(RankedSensor(bits, problem.sensor, problem.plan(horizon)))
@@ -225,6 +231,8 @@ def fuse_sensors(first: Sensor, second: Sensor, *, name: str | None = None) -> S
     >>> fuse_sensors(row, column).blocks
     {(0, 0): (0,), (0, 1): (1,), (1, 0): (2,), (1, 1): (3,)}
     """
+    for sensor in (first, second):
+        expect(sensor, Sensor, "a Sensor, such as Sensor.noisy(states, '1/10')")
     if first.states != second.states:
         raise ShapeMismatchError(
             f"sensors of the states {first.states!r:.60} and {second.states!r:.60}; "

@@ -21,6 +21,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Any, final
 
+from stochgeom.arguments import as_list
 from stochgeom.decision.distributions import distribution
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import Number, NumberKind, common_kind, numbered, read_number
@@ -170,7 +171,7 @@ class Sensor:
         >>> Sensor.noisy(["a", "b", "c"], "1/5").likelihood[0]
         (mpq(4,5), mpq(1,10), mpq(1,10))
         """
-        labels = Labels(list(states), "state")
+        labels = Labels(states, "state")
         others = len(labels) - 1
         if not others:
             raise SensorError("one state; accepted: two or more, or a sensor without error")
@@ -307,7 +308,7 @@ posterior; accepted: 'a'
             for state, value in hyperstate.items():
                 listed[self._states.number(state, where="hyperstate")] = value
         else:
-            listed = list(hyperstate)
+            listed = as_list(hyperstate, "a list of probabilities", "hyperstate", SensorError)
         if len(listed) != len(self.states):
             raise ShapeMismatchError(
                 f"{len(listed)} probabilities; accepted: {len(self.states)}, one for each state",

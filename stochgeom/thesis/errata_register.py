@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import UnknownErratumError
 from stochgeom.thesis import errata, errata_statements
 from stochgeom.thesis import recompute_framework as framework
@@ -127,7 +128,7 @@ def find_errata(query: str | None = None) -> tuple[ErratumEntry, ...]:
     """
     if query is None:
         return ERRATA
-    text = query.strip()
+    text = expect(query, str, "a number as text, or words", "erratum").strip()
     if re.fullmatch(rf"[+-]?[0-9]{{1,{MOST_DIGITS}}}", text):
         found = tuple(entry for entry in ERRATA if entry.number == int(text))
     else:

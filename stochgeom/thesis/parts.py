@@ -15,6 +15,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import UnknownPartError
 from stochgeom.geometry.part import Part
 
@@ -114,5 +115,5 @@ def catalogue_part(name: str, *, appendix: str | None = None) -> Part:
     """
     if appendix not in (None, "E"):
         raise UnknownPartError(f"appendix {appendix!r}; accepted: 'E', or none")
-    entry = catalogue_entry(name)
+    entry = catalogue_entry(expect(name, str, "a name of the catalogue", "part"))
     return entry.part if appendix is None else entry.appendix_e

@@ -26,8 +26,8 @@ from stochgeom.errors import InputError
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.tilt_plans import (
     TiltPlan,
-    check_instance,
     evaluate_tilt_plan,
+    read_instance,
     usable_actions,
 )
 
@@ -78,7 +78,7 @@ def best_tilt_plan(
     >>> best_tilt_plan(TransitionModel(seen), 1, 3)
     <TiltPlan 1 to 3: (1 2), probability 0.9956>
     """
-    check_instance(model, start, goal, most_tilts)
+    start, goal = read_instance(model, start, goal, most_tilts)
     actions = usable_actions(model, observed_only=observed_only)
     levels = plan_levels(model, start, actions, most_tilts)
     return _best_of(model, levels, actions, start, goal)
@@ -95,7 +95,7 @@ def best_tilt_plans(
 
     `tell` is called with the share of work done, for a progress bar.
     """
-    check_instance(model, 1, 1, most_tilts)
+    read_instance(model, 1, 1, most_tilts)
     actions = usable_actions(model, observed_only=observed_only)
     states = range(1, model.counts.states + 1)
     found = {}

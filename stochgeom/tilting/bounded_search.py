@@ -24,8 +24,8 @@ from stochgeom.tilting.estimation import Row, TransitionModel
 from stochgeom.tilting.tilt_plans import (
     Distribution,
     TiltPlan,
-    check_instance,
     evaluate_tilt_plan,
+    read_instance,
     usable_actions,
 )
 
@@ -88,7 +88,7 @@ def bounded_tilt_search(
     >>> found.plan, found.nodes < found.of, found.complete
     (<TiltPlan 1 to 3: (1 2), probability 0.9956>, True, True)
     """
-    check_instance(model, start, goal, most_tilts)
+    start, goal = read_instance(model, start, goal, most_tilts)
     if node_limit < 1:
         raise InputError(f"a limit of {node_limit} nodes; accepted: 1 or more")
     actions = usable_actions(model, observed_only=observed_only)

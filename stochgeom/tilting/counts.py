@@ -13,6 +13,7 @@ from typing import Any, Final, SupportsIndex, TypeAlias, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count, as_list
 from stochgeom.errors import RecordingError
 
 OTHER: Final = "other"
@@ -89,14 +90,16 @@ class TransitionCounts:
             If a trial names a state or action that does not exist, or a negative count.
         """
         for what, number in (("states", states), ("actions", actions)):
-            if not 1 <= number <= MOST_KINDS:
-                raise RecordingError(f"{number} {what}; accepted: 1 to {MOST_KINDS}")
+            as_count(number, what, most=MOST_KINDS, error=RecordingError)
+        listed: list[Any] = as_list(trials, "a list of trials", "trials", RecordingError)
         table = np.zeros((actions, states, states + other), dtype=np.int64)
-        for k, trial in enumerate(trials):
+        for k, trial in enumerate(listed):
             place = f"trial {k}" if places is None else places[k]
-            if len(trial) not in (3, 4):
+            size = len(trial) if isinstance(trial, Sequence | np.ndarray) else None
+            if size not in (3, 4):
+                found = f"{trial!r:.60}" if size is None else f"{size} entries"
                 raise RecordingError(
-                    f"{len(trial)} entries; accepted: initial, action, final, and perhaps a count",
+                    f"{found}; accepted: initial, action, final, and perhaps a count",
                     where=place,
                 )
             i = numbered(trial[0], states, "initial state", place)
@@ -105,7 +108,7 @@ class TransitionCounts:
                 j = states + 1
             else:
                 j = numbered(trial[2], states, "final state", place, other=other)
-            count = _as_count(trial[3], place) if len(trial) == 4 else 1
+            count = _as_count(trial[3], place) if size == 4 else 1
             table[a - 1, i - 1, j - 1] += count
         return cls(table)
 

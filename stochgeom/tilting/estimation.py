@@ -23,6 +23,7 @@ import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
+from stochgeom.arguments import expect
 from stochgeom.errors import PriorError
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.tilting.counts import Outcome, TransitionCounts, numbered
@@ -73,7 +74,7 @@ class TransitionModel:
     """
 
     def __init__(self, counts: TransitionCounts, alpha: AlphaLike = ALPHA) -> None:
-        self.counts = counts
+        self.counts = expect(counts, TransitionCounts, "TransitionCounts, as of a recording")
         self.alpha = _alpha_table(alpha, counts.states, len(counts.outcomes))
         self._rows: dict[tuple[int, int], Row] = {}
 

@@ -13,6 +13,7 @@ from itertools import pairwise
 from statistics import fmean, stdev
 from typing import Final, final
 
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.errors import InputError
 from stochgeom.tilting.all_plans import best_tilt_plans
 from stochgeom.tilting.counts import OTHER, TransitionCounts
@@ -147,7 +148,12 @@ def measure_tilt_plans(
     >>> measure_tilt_plans(robot, [plan], 50)[0].share > 0.8
     True
     """
-    listed = tuple(plans)
+    expect(robot, SimulatedRobot, "a SimulatedRobot")
+    listed = tuple(as_list(plans, "a list of tilt plans", "plans"))
+    for k, plan in enumerate(listed):
+        expect(plan, TiltPlan, "a tilt plan, such as best_tilt_plan gives", f"plan {k}")
+    if not listed:
+        return ()
     pairs = [(plan.start, plan.actions) for plan in listed]
     ends = robot.execute_all(pairs, executions, jobs=jobs, tell=tell)
     return tuple(
@@ -170,6 +176,7 @@ def calibrate_tilt_plans(
 
     Time: 132 plans x executions x tilts; at 400 tilts a second, some five minutes for 400.
     """
+    expect(robot, SimulatedRobot, "a SimulatedRobot")
     model = TransitionModel(counts, alpha)
     plans = best_tilt_plans(model, most_tilts).values()
     return Calibration(model, measure_tilt_plans(robot, plans, executions, jobs=jobs, tell=tell))
@@ -190,6 +197,9 @@ def trials_study(
     InputError
         If no number is given.
     """
+    expect(robot, SimulatedRobot, "a SimulatedRobot")
+    sizes = [as_count(size, "trials") for size in as_list(sizes, "numbers of trials", "sizes")]
+    as_count(executions, "executions")
     if not sizes:
         raise InputError("no numbers of trials; accepted: one or more")
     steps, done = len(sizes) + 1, 0

@@ -20,14 +20,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Final, final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.errors import SimulationError, TrayError
-from stochgeom.geometry.part import Part
+from stochgeom.geometry.part import Part, as_part
 from stochgeom.tilting.intervals import wilson_interval
 from stochgeom.tilting.physics import Floor, load_engine
 from stochgeom.tilting.robot import check_whole
@@ -92,6 +94,10 @@ class SimulatedGripper:
     limit_seconds: float = 60.0
 
     def __post_init__(self) -> None:
+        for item in fields(self):
+            if item.name != "sliding_jaw":
+                expect(getattr(self, item.name), Real, "a number", item.name)
+        as_count(self.iterations, "iterations", error=TrayError, where="iterations")
         for name in ("friction", "table_friction"):
             if not 0 <= getattr(self, name) < math.inf:
                 raise TrayError(f"{getattr(self, name)}; accepted: 0 or more", where=name)
@@ -235,6 +241,9 @@ class _Scene:
     """The engine's space with a part, a lower jaw below it, and perhaps an upper one."""
 
     def __init__(self, part: Part, theta: float, gripper: SimulatedGripper) -> None:
+        part = as_part(part)
+        expect(theta, Real, "an orientation in radians, a float", "theta")
+        expect(gripper, SimulatedGripper, "a SimulatedGripper", "gripper")
         engine = load_engine()
         self._engine, self._gripper = engine, gripper
         self._corners = scaled_corners(part)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from numbers import Real
 from statistics import NormalDist
 
+from stochgeom.arguments import as_count
 from stochgeom.errors import InputError
 
 
@@ -33,11 +35,9 @@ def wilson_interval(successes: int, trials: int, level: float = 0.95) -> tuple[f
     >>> [round(end, 4) for end in wilson_interval(250, 250)]
     [0.9849, 1.0]
     """
-    if not (0 <= successes <= trials and trials > 0 and 0 < level < 1):
-        raise InputError(
-            f"{successes} successes of {trials} trials, level {level}; accepted: at least one "
-            "trial, no more successes than trials, a level between 0 and 1"
-        )
+    as_count(trials, "trials")
+    as_count(successes, "successes", least=0, most=trials)
+    check_level(level)
     z = NormalDist().inv_cdf((1 + level) / 2)
     share, spread = successes / trials, z * z / trials
     middle = (share + spread / 2) / (1 + spread)
@@ -45,3 +45,15 @@ def wilson_interval(successes: int, trials: int, level: float = 0.95) -> tuple[f
     low = 0.0 if successes == 0 else max(0.0, middle - half)
     high = 1.0 if successes == trials else min(1.0, middle + half)
     return low, high
+
+
+def check_level(level: float) -> None:
+    """Refuse what is no level of confidence.
+
+    Raises
+    ------
+    InputError
+        If it is no number between 0 and 1.
+    """
+    if not isinstance(level, Real) or not 0 < level < 1:
+        raise InputError(f"a level of {level!r:.60}; accepted: above 0, below 1")

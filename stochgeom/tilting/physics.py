@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 import numpy as np
 
+from stochgeom.arguments import expect
 from stochgeom.errors import MissingExtraError, SimulationError
 from stochgeom.tilting.states import TilePose
 from stochgeom.tilting.tray import GRAVITY, Solver, TraySetup
@@ -131,6 +132,9 @@ def slide_tile(
     >>> round(rest.pose.x), round(rest.pose.y), rest.seconds < 1
     (-75, 100, True)
     """
+    expect(setup, TraySetup, "a TraySetup", "setup")
+    expect(pose, TilePose, "a TilePose", "pose")
+    expect(tilt, Tilt, "a Tilt", "tilt")
     space, body = tray_space(setup, tilt)
     floor = tray_floor(setup, tilt)
     body.position, body.angle = (pose.x, pose.y), pose.angle

@@ -14,9 +14,11 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.errors import InputError, MissingExtraError, RecordingError
-from stochgeom.tilting.counts import Outcome, TransitionCounts
+from stochgeom.tilting.counts import Outcome, TransitionCounts, numbered
 from stochgeom.tilting.estimation import TransitionModel
+from stochgeom.tilting.intervals import check_level
 
 Floats = NDArray[np.float64]
 
@@ -37,6 +39,7 @@ def posterior_median(model: TransitionModel, action: int, state: int, outcome: O
     >>> round(posterior_median(model, 1, 1, 1), 4)
     0.6862
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
     a, b = model.marginal(action, state, outcome)
     return float(_beta().ppf(0.5, float(a), float(b)))
 
@@ -59,8 +62,8 @@ def credible_interval(
     >>> [round(end, 3) for end in credible_interval(model, 1, 1, 1, 0.9)]
     [0.343, 0.924]
     """
-    if not 0 < level < 1:
-        raise InputError(f"a level of {level!r}; accepted: above 0, below 1")
+    expect(model, TransitionModel, "TransitionModel(counts)")
+    check_level(level)
     a, b = map(float, model.marginal(action, state, outcome))
     low, high = _beta().ppf([(1 - level) / 2, (1 + level) / 2], a, b)
     return float(low), float(high)
@@ -78,9 +81,9 @@ def sample_matrices(model: TransitionModel, draws: int, seed: int = 0) -> Floats
     >>> matrices.shape, f"{matrices[:, 0, 0, 0].mean():.2f}"
     ((2000, 1, 2, 2), '0.74')
     """
-    if draws < 1:
-        raise InputError(f"{draws} draws; accepted: 1 or more")
-    random = np.random.default_rng(seed)
+    expect(model, TransitionModel, "TransitionModel(counts)")
+    as_count(draws, "draws")
+    random = np.random.default_rng(as_count(seed, "as a seed", least=0))
     actions, states, width = model.counts.table.shape
     found = np.zeros((draws, actions, width, width))
     found[:, :, states:, states:] = 1.0
@@ -106,11 +109,20 @@ def sampled_probabilities(
     >>> f"{chances.mean():.1f}"
     '0.4'
     """
+    if getattr(matrices, "ndim", 0) != 4:
+        raise InputError(
+            f"{matrices!r:.60}; accepted: what sample_matrices returns, draws x actions x outcomes "
+            "x outcomes"
+        )
+    first, last = (numbered(state, matrices.shape[-1], "state") for state in (start, goal))
+    tilts = [
+        numbered(action, matrices.shape[1], "action") for action in as_list(actions, "actions")
+    ]
     weights = np.zeros(matrices.shape[:1] + matrices.shape[-1:])
-    weights[:, start - 1] = 1.0
-    for action in actions:
+    weights[:, first - 1] = 1.0
+    for action in tilts:
         weights = np.einsum("di,dij->dj", weights, matrices[:, action - 1])
-    chances: Floats = weights[:, goal - 1]
+    chances: Floats = weights[:, last - 1]
     return chances
 
 
@@ -165,13 +177,14 @@ def predictive_check(
     >>> [row.p_value < 0.01 for row in seen]
     [True, False]
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
+    expect(counts, TransitionCounts, "TransitionCounts")
     if counts.table.shape != model.counts.table.shape:
         raise RecordingError(
             f"counts of shape {counts.table.shape}; accepted: {model.counts.table.shape}"
         )
-    if draws < 1:
-        raise InputError(f"{draws} draws; accepted: 1 or more")
-    random = np.random.default_rng(seed)
+    as_count(draws, "draws")
+    random = np.random.default_rng(as_count(seed, "as a seed", least=0))
     found = []
     for a, i in np.argwhere(counts.table.sum(axis=2) > 0):
         action, state = int(a) + 1, int(i) + 1

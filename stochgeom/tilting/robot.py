@@ -17,6 +17,7 @@ from typing import Any, Final, TypeAlias, final
 
 import numpy as np
 
+from stochgeom.arguments import expect
 from stochgeom.errors import SimulationError, TrayError
 from stochgeom.tilting.counts import OTHER, Outcome, TransitionCounts, Trial, numbered
 from stochgeom.tilting.physics import Tilt, load_engine, slide_tile
@@ -63,6 +64,7 @@ class SimulatedRobot:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        expect(self.setup, TraySetup, "a TraySetup", "setup")
         check_whole(self.seed, 0, "seed")
 
     def trials(

@@ -20,12 +20,13 @@ from typing import Final
 
 from gmpy2 import mpq
 
-from stochgeom.errors import NoPlanError
+from stochgeom.arguments import as_list, expect
+from stochgeom.errors import InputError, NoPlanError
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.tilt_plans import (
     TiltPlan,
-    check_instance,
     evaluate_tilt_plan,
+    read_instance,
     usable_actions,
 )
 
@@ -46,7 +47,11 @@ def likeliest_tilts(model: TransitionModel, actions: Sequence[int]) -> tuple[tup
     >>> likeliest_tilts(model, [1])[0]
     ((mpq(1,2), 1), (mpq(1,2), 1))
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
     n = model.counts.states
+    actions = as_list(actions, "a list of tilts", "actions")
+    if not actions:
+        raise InputError("no tilts; accepted: at least one", where="actions")
     matrices = {action: model.matrix(action) for action in actions}
     return tuple(
         tuple(
@@ -91,9 +96,10 @@ def shortest_path_tilt_plan(
     >>> plan, plan.bound < plan.probability
     (<TiltPlan 1 to 3: (1 2), probability 0.9956>, True)
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
     n = model.counts.states
     horizon = n - 1 if most_tilts is None else most_tilts
-    check_instance(model, start, goal, horizon)
+    start, goal = read_instance(model, start, goal, horizon)
     if edges is None:
         edges = likeliest_tilts(model, usable_actions(model, observed_only=observed_only))
     # Invariant: reached[i] is the best path of at most so many tilts, as (-product, tilts, plan).

@@ -28,6 +28,7 @@ from typing import Final, NamedTuple, final
 
 import numpy as np
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.tilting.counts import OTHER, Outcome
 from stochgeom.tilting.tray import TraySetup
 
@@ -147,6 +148,8 @@ def tile_state(setup: TraySetup, pose: TilePose) -> Outcome:
     >>> tile_state(setup, TilePose(10.0, 75.0, np.pi / 2))
     'other'
     """
+    expect(setup, TraySetup, "a TraySetup", "setup")
+    expect(pose, TilePose, "a TilePose", "pose")
     quarters = round(pose.angle / (math.pi / 2))
     if abs(math.degrees(pose.angle - quarters * math.pi / 2)) > setup.turned:
         return OTHER
@@ -164,7 +167,9 @@ def tile_state(setup: TraySetup, pose: TilePose) -> Outcome:
 
 def random_tile_pose(setup: TraySetup, state: int, random: np.random.Generator) -> TilePose:
     """Draw a pose in a state: uniform along a side, and up to `placing_gap` from the walls."""
-    place = CANONICAL[state - 1]
+    expect(setup, TraySetup, "a TraySetup", "setup")
+    expect(random, np.random.Generator, "numpy.random.default_rng(seed)", "random")
+    place = CANONICAL[as_count(state, "as a state", most=STATES) - 1]
     half_x, half_y = half_sizes(setup, horizontal=place.horizontal)
     angle = 0.0 if place.horizontal else math.pi / 2
     x = _draw_coordinate(setup, half_x, place.right, random)

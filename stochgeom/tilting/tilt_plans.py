@@ -8,6 +8,7 @@ from typing import TypeAlias, final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_list, expect
 from stochgeom.errors import InputError, RecordingError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.tilting.counts import numbered
@@ -118,8 +119,10 @@ def evaluate_tilt_plan(
     >>> evaluate_tilt_plan(model, 1, 2, (1, 1))
     <TiltPlan 1 to 2: (1 1), probability 0.6250>
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
     end = numbered(goal, model.counts.states, "goal")
-    tilts = tuple(numbered(a, model.counts.actions, "action") for a in actions)
+    listed = as_list(actions, "a list of tilts", "actions")
+    tilts = tuple(numbered(a, model.counts.actions, "action") for a in listed)
     passed = hyperstates(model, start, tilts)
     untried = frozenset(model.undefined_rows)
     unobserved = dict.fromkeys(
@@ -133,13 +136,17 @@ def evaluate_tilt_plan(
     )
 
 
-def check_instance(model: TransitionModel, start: int, goal: int, most_tilts: object) -> None:
-    """Refuse states that do not exist, and what is no number of tilts."""
-    numbered(start, model.counts.states, "start")
-    numbered(goal, model.counts.states, "goal")
+def read_instance(
+    model: TransitionModel, start: int, goal: int, most_tilts: object
+) -> tuple[int, int]:
+    """Return the states as int; refuse those that do not exist, and what is no number of tilts."""
+    expect(model, TransitionModel, "TransitionModel(counts)")
+    first = numbered(start, model.counts.states, "start")
+    last = numbered(goal, model.counts.states, "goal")
     whole = isinstance(most_tilts, int) and not isinstance(most_tilts, bool)
     if not whole or most_tilts < 0:  # type: ignore[operator]
         raise InputError(f"at most {most_tilts!r} tilts; accepted: whole numbers from 0 on")
+    return first, last
 
 
 def usable_actions(model: TransitionModel, *, observed_only: bool) -> tuple[int, ...]:

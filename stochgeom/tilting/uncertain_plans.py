@@ -18,14 +18,15 @@ from typing import Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.tilting.all_plans import first_best, plan_levels, plan_of, promising_rows
 from stochgeom.tilting.counts import numbered
 from stochgeom.tilting.estimation import Row, TransitionModel
 from stochgeom.tilting.tilt_plans import (
     TiltPlan,
-    check_instance,
     evaluate_tilt_plan,
+    read_instance,
     usable_actions,
 )
 
@@ -54,6 +55,7 @@ def expected_probability(
     >>> evaluate_tilt_plan(model, 1, 1, (1, 1)).probability
     mpq(1,2)
     """
+    expect(model, TransitionModel, "TransitionModel(counts)")
     first = numbered(start, model.counts.states, "start")
     last = numbered(goal, model.counts.states, "goal")
     tilts = tuple(numbered(action, model.counts.actions, "action") for action in actions)
@@ -115,7 +117,7 @@ def best_expected_tilt_plan(
     Where no tilt is repeated the plug-in probability is the expected one, and plans are compared as
     in `best_tilt_plan`; the others are summed over their paths.
     """
-    check_instance(model, start, goal, most_tilts)
+    start, goal = read_instance(model, start, goal, most_tilts)
     usable = usable_actions(model, observed_only=observed_only)
     levels = plan_levels(model, start, usable, most_tilts)
     words = [

@@ -6,16 +6,10 @@ period 360 degrees for most parts (thesis App. E.1.3).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
-
-from numpy.typing import NDArray
-
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.part import Part, as_part
-from stochgeom.geometry.points import PointLike
+from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.transfer.composition import composed_steps
 from stochgeom.transfer.push import push_steps
@@ -23,9 +17,7 @@ from stochgeom.transfer.squeeze import squeeze_steps
 from stochgeom.transfer.step_function import StepFunction
 
 
-def push_grasp_function(
-    part: Part | Iterable[PointLike] | NDArray[Any], *, upper_jaw: bool = False
-) -> StepFunction:
+def push_grasp_function(part: PartLike, *, upper_jaw: bool = False) -> StepFunction:
     """Return the push-grasp function of a part, squeeze after push.  O(n log n); O(n) memory.
 
     Parameters

@@ -15,6 +15,7 @@ from typing import final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_list
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError, InvalidStepFunctionError
 from stochgeom.exact.angles import FULL_TURN, Angle
@@ -243,7 +244,7 @@ class StepFunction(Displayed):
 def _as_vector(angles: Iterable[Angle] | AngleVector, what: str) -> AngleVector:
     if isinstance(angles, AngleVector):
         return angles
-    listed = list(angles)
+    listed = as_list(angles, "a list of angles", f"{what}s", InvalidStepFunctionError)
     for k, angle in enumerate(listed):
         if not isinstance(angle, Angle):
             raise _no_angle(angle, f"{what} {k}")

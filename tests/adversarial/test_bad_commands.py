@@ -6,6 +6,7 @@ Every call is made with ``--json`` as well, which adds the error as a document o
 from __future__ import annotations
 
 import json
+import re
 import sys
 
 import pytest
@@ -174,7 +175,8 @@ def test_vertices(capsys, vertices, kind, where, words):
 def test_files(capsys, tmp_path, content, kind, where, words):
     path = tmp_path / "outline"
     path.write_text(content)
-    assert_refuses(capsys, ["plan", str(path)], kind, where, *words)
+    place = str(path) if where is None else f"{path}, {where}"
+    assert_refuses(capsys, ["plan", str(path)], kind, place, *words)
 
 
 @pytest.mark.parametrize(
@@ -184,7 +186,37 @@ def test_files(capsys, tmp_path, content, kind, where, words):
 def test_files_that_are_no_text(capsys, tmp_path, content, where):
     path = tmp_path / "outline"
     path.write_bytes(content)
-    assert_refuses(capsys, ["plan", str(path)], "FormatError", where, "accepted: UTF-8 text")
+    place = f"{path}, {where}"
+    assert_refuses(capsys, ["plan", str(path)], "FormatError", place, "accepted: UTF-8 text")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["plan", "FILE"],
+        ["report", "FILE"],
+        ["grasp", "FILE", "--mu", "1/4"],
+        ["sense", "FILE"],
+        ["verify", "--part", "FILE", "--angles", "0"],
+        ["tilt", "grasp", "FILE"],
+        ["plan", "house", "--prior", "FILE"],
+        ["tilt", "estimate", "FILE"],
+    ],
+    ids=lambda arguments: " ".join(arguments[:2]),
+)
+def test_every_command_names_the_file_and_the_line(capsys, tmp_path, arguments):
+    path = tmp_path / "bad.txt"
+    path.write_text("1 2\n3 4 5 6 7\n")
+    given = [str(path) if word == "FILE" else word for word in arguments]
+    done = call(capsys, *given)
+    assert done.code == 2
+    assert re.fullmatch(rf"stochgeom: {re.escape(str(path))}, line [12]: .*\n", done.err)
+
+
+def test_a_decision_problem_that_is_no_text_names_its_file(capsys, tmp_path):
+    path = tmp_path / "problem.json"
+    path.write_bytes(b"{\xff")
+    assert_refuses(capsys, ["decide", str(path)], "FormatError", f"{path}, byte 1", "not UTF-8")
 
 
 class TestNamesOfSources:

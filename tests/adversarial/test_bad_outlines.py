@@ -332,13 +332,13 @@ class TestFiles:
         assert_refuses(read_outline, "x" * 10_000, ReadError, "x" * 10_000, "cannot be read")
 
     def test_a_number_is_no_path(self):
-        with pytest.raises(TypeError):
-            read_outline(0)
+        for value in (0, None, 1.5, []):
+            assert_refuses(read_outline, value, ReadError, None, f"{value!r} is no path")
 
     def test_an_empty_file(self, tmp_path):
         path = tmp_path / "empty.txt"
         path.touch()
-        assert_refuses(read_outline, path, FormatError, None, "empty")
+        assert_refuses(read_outline, path, FormatError, str(path), "empty")
 
     @pytest.mark.parametrize(
         ("content", "where", "word"),
@@ -353,7 +353,7 @@ class TestFiles:
     def test_bytes_that_are_no_text(self, tmp_path, content, where, word):
         path = tmp_path / "part.txt"
         path.write_bytes(content)
-        assert_refuses(read_outline, path, FormatError, where, word)
+        assert_refuses(read_outline, path, FormatError, f"{path}, {where}", word)
         assert_refuses(decode_text, content, FormatError, where, word)
 
     def test_the_size_limit(self, tmp_path, monkeypatch):

@@ -15,6 +15,7 @@ from tests.repo.sources import MODULES, PACKAGE, dotted_name, imports_of, relati
 
 LAYERS = (
     "errors",
+    "arguments",
     "display",
     "exact",
     "geometry",

@@ -217,7 +217,7 @@ def test_bad_problems_are_one_line_and_exit_code_2(capsys, file, changes, messag
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--horizon", "x"], "--horizon: 'x'; accepted: a whole number"),
+        (["--horizon", "x"], "--horizon: 'x'; accepted: whole numbers from 0 on"),
         (["--horizon", "0"], "horizon: 0 actions; accepted: 1 or more"),
         (["--horizon", "2", "--node-limit", "0"], "a limit of 0 nodes"),
         (["--horizon", "2", "--time-limit", "0"], "0.0 seconds; accepted"),

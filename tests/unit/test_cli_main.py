@@ -165,9 +165,9 @@ class TestProcesses:
     def test_bad_input(self):
         done = start("plan", "-", "--json", input=b"0 0\n3 x\n")
         assert done.returncode == 2
-        assert done.stderr.startswith(b"stochgeom: line 2, y: 'x' is not a number; accepted: ")
+        assert done.stderr.startswith(b"stochgeom: standard input, line 2, y: 'x' is not a number")
         assert done.stderr.count(b"\n") == 1
-        assert json.loads(done.stdout)["error"]["where"] == "line 2, y"
+        assert json.loads(done.stdout)["error"]["where"] == "standard input, line 2, y"
 
     def test_vertices_with_and_without_equals_sign(self):
         square = "-1,-1 1,-1 1,1 -1,1"
@@ -207,7 +207,7 @@ class TestProcesses:
         ("redirection", "code", "complaint"),
         [
             ("<&-", 2, b"stochgeom: standard input: closed; accepted: "),
-            (">&- </dev/null", 2, b"stochgeom: the text is empty; accepted: "),
+            (">&- </dev/null", 2, b"stochgeom: standard input: the text is empty; accepted: "),
             ("2>&- </dev/null", 2, b""),
         ],
     )

@@ -108,3 +108,26 @@ def test_all_of_phase_one_is_under_the_line(capsys, monkeypatch):
     assert call(capsys, "plan", "4gon").code == 0
     assert events[-2:] == [1.0, "plan"]
     assert len(events) == 5
+
+
+@pytest.mark.parametrize("form", ["lines", "json"])
+def test_a_large_prior_is_read_with_progress(clock, terminal, monkeypatch, tmp_path, capsys, form):
+    degrees = [str(k * 7 % 360) for k in range(2000)]
+    path = tmp_path / "prior"
+    as_json = f'{{"kind": "measurements", "degrees": [{", ".join(degrees)}]}}'
+    path.write_text("\n".join(degrees) if form == "lines" else as_json)
+    shares = []
+
+    def show(line, share):
+        shares.append(share)
+        clock.now += DELAY
+        draw(line, share)
+
+    draw = Progress.show
+    monkeypatch.setattr(Progress, "show", show)
+    assert call(capsys, "plan", "house", "--prior", str(path)).code == 0
+    read = shares[:7]
+    assert read == sorted(read)
+    assert len(set(read)) == 7
+    assert 0 < read[0] < read[-1] < 1
+    assert "reading the prior [###" in terminal.getvalue()

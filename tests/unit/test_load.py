@@ -95,6 +95,25 @@ class TestFiles:
         assert caught.value.where == str(tmp_path)
         assert caught.value.message.startswith("cannot be read: ")
 
+    def test_what_is_wrong_inside_is_named_with_the_file(self, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        (tmp_path / "part.txt").write_text("0 0\n1 0\n0 1 2\n")
+        with pytest.raises(FormatError, match=r"\Apart.txt, line 3: '0 1 2' has 3 fields; "):
+            load_part("part.txt")
+        (tmp_path / "bow\ntie").write_text(BOW_TIE)
+        with pytest.raises(SelfIntersectionError) as caught:
+            load_part("bow\ntie")
+        assert caught.value.edges == (0, 2)
+        assert caught.value.where == "bow?tie, edges 0 and 2 (which begin at line 1 and line 5)"
+        assert str(caught.value) == f"{caught.value.where}: {caught.value.message}"
+
+    def test_a_center_of_mass_that_is_given_does_not_stand_in_the_file(self, tmp_path):
+        path = tmp_path / "wedge.txt"
+        path.write_text("0 0\n1 0\n0 1\n")
+        with pytest.raises(FormatError) as caught:
+            load_part(str(path), center_of_mass="1")
+        assert caught.value.where == "center of mass"
+
     @pytest.mark.parametrize("name", ["x" * 5000, "a\0b", "a\udcffb", "\ud800"])
     def test_names_that_cannot_be_opened_or_shown(self, name):
         with pytest.raises(ReadError, match="accepted: ") as caught:
@@ -112,12 +131,17 @@ class TestStandardInput:
 
     def test_nothing(self, feed):
         feed(b"")
-        with pytest.raises(FormatError, match="the text is empty; accepted: JSON"):
+        with pytest.raises(FormatError, match=r"\Astandard input: the text is empty; accepted: J"):
+            load_part("-")
+
+    def test_edges_in_conflict(self, feed):
+        feed(BOW_TIE.encode())
+        with pytest.raises(SelfIntersectionError, match=r"\Astandard input, edges 0 and 2 \(which"):
             load_part("-")
 
     def test_bytes_that_are_no_text(self, feed):
         feed(b"\x89PNG\r\n")
-        with pytest.raises(FormatError, match="byte 0: byte 0x89 is not UTF-8"):
+        with pytest.raises(FormatError, match=r"\Astandard input, byte 0: byte 0x89 is not U"):
             load_part("-")
 
     def test_too_much(self, feed, monkeypatch):

@@ -235,7 +235,7 @@ class TestBadInput:
 
     @pytest.mark.parametrize("bins", [0, -1, 1.5, "4", None])
     def test_bins(self, bins):
-        with pytest.raises(PriorError, match="bins; accepted: whole numbers from 1 on"):
+        with pytest.raises(PriorError, match="bins; accepted: whole numbers from 1 to"):
             cells_between([], bins)
 
 

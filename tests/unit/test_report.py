@@ -18,8 +18,9 @@ from stochgeom.errors import InputError, WriteError
 from stochgeom.feeding import field_certificate_checker
 from stochgeom.io.embedded import CERTIFICATE, PLAN, find_block
 from stochgeom.io.plan_json import plan_json
-from stochgeom.plotting.report import MOST_CERTIFIED, report_html
+from stochgeom.plotting.report import report_html
 from stochgeom.plotting.report_pictures import distribution_scene
+from stochgeom.plotting.report_sections import MOST_CERTIFIED
 from stochgeom.plotting.report_subject import MOST_MORE, MOST_ROWS, Subject, shown_rows
 from stochgeom.plotting.scene import Label, box_of
 from tests.repo.sources import ROOT

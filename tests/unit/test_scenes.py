@@ -363,7 +363,7 @@ class TestGrasps:
     def test_more_grasps_than_asked_for(self):
         labels = stable_scene(catalogue_part("key"), most=2).labels()
         assert labels[-1] == "the 2 most stable of 4 grasps"
-        with pytest.raises(InputError, match="accepted: 1 or more"):
+        with pytest.raises(InputError, match="accepted: whole numbers from 1 on"):
             stable_scene(RECTANGLE, 0)
 
     def test_an_error_is_cancelled_exactly_up_to_the_break(self):

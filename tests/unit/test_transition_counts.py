@@ -102,5 +102,5 @@ def test_a_bad_table_is_refused(counts, message):
 
 @pytest.mark.parametrize(("states", "actions"), [(0, 1), (1, 0), (-1, 1), (1001, 1)])
 def test_sizes_are_checked(states, actions):
-    with pytest.raises(RecordingError, match="accepted: 1 to 1000"):
+    with pytest.raises(RecordingError, match="accepted: whole numbers from 1 to 1000"):
         TransitionCounts.from_trials([], states, actions)
