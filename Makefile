@@ -31,7 +31,7 @@ lint: $(VENV)/.installed-dev
 
 # The manual, to be read from build/manual/index.html; what a reference cannot find is an error.
 docs: $(VENV)/.installed-dev
-	$(BIN)/python -m sphinx --fresh-env --fail-on-warning --keep-going --quiet -b html docs build/manual
+	$(BIN)/python -m sphinx --fresh-env --fail-on-warning --keep-going --quiet -b html $(ARGS) docs build/manual
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python -m benchmarks $(ARGS)
