@@ -8,10 +8,8 @@ written there. Long experiments are run only with ``-D thesis_long_experiments=1
 from __future__ import annotations
 
 import os
-import re
 from collections import Counter
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,111 +25,30 @@ from thesis_nodes import (
     section,
     table,
 )
+from thesis_results import (
+    FITS_ANYWHERE,
+    draw,
+    errata_at,
+    label_of,
+    names_by_chapter,
+    numbers_of,
+    shown_width,
+    title_of,
+)
 
 from stochgeom.cli.layout import count
-from stochgeom.cli.reproduce_command import file_stem
 from stochgeom.cli.reproduce_text import heading
-from stochgeom.plotting.axes import save_figure
 from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
 from stochgeom.thesis.errata import Erratum
 from stochgeom.thesis.number_tables import Entry, NumberTable, Verdict, verdict_of
-from stochgeom.thesis.reproductions import REPRODUCTIONS, place_of
+from stochgeom.thesis.reproductions import REPRODUCTIONS
 from stochgeom.thesis.tables import Cell
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
 
-FITS_ANYWHERE = 640
-"""Pixels of a picture that stays legible as narrow as the page of a telephone."""
-
-TEXT_WIDTH = 736
-"""Pixels of a line of text of the theme."""
-
-SMALLEST_SCALE = 0.72
-"""Letters of 11 pixels become 8."""
-
 DIGITS = 4
 """Decimals of what is computed, as `stochgeom reproduce` shows them."""
-
-
-def chapter_of(name: str) -> str:
-    """Return the chapter or appendix of a table, figure or section.
-
-    Examples
-    --------
-    >>> chapter_of("fig4.6"), chapter_of("C.1"), chapter_of("sec5.9")
-    ('4', 'C', '5')
-    """
-    return name.removeprefix("fig").removeprefix("sec").partition(".")[0]
-
-
-def names_by_chapter() -> dict[str, list[str]]:
-    """Return all that can be recomputed or drawn, and all that is open, in the source's order."""
-    found: dict[str, list[str]] = {}
-    for name in sorted({*REPRODUCTIONS, *SOURCE_FIGURES, *OPEN_FIGURES}, key=place_of):
-        found.setdefault(chapter_of(name), []).append(name)
-    return found
-
-
-def title_of(name: str) -> str:
-    """Return what a table or figure is called, and what it shows if it is not open.
-
-    Examples
-    --------
-    >>> title_of("fig4.6")
-    'Fig. 4.6: the 4gon under four squeezes'
-    """
-    known = REPRODUCTIONS.get(name) or SOURCE_FIGURES.get(name)
-    return heading(name) if known is None else f"{heading(name)}: {known.title}"
-
-
-@cache
-def numbers_of(name: str, *, long: bool) -> NumberTable | None:
-    """Return recomputed numbers; None if there are none, or if they take too long."""
-    item = REPRODUCTIONS.get(name)
-    if item is None or (item.long and not long):
-        return None
-    return item.make(lambda _share: None)
-
-
-def draw(name: str, folder: Path) -> Path:
-    """Draw a figure into a folder and return its file."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    path = folder / f"{file_stem(name)}.svg"
-    drawn = SOURCE_FIGURES[name].draw()
-    if isinstance(drawn, str):
-        path.write_text(drawn, encoding="utf-8")
-    else:
-        save_figure(drawn, path)
-        plt.close(drawn.get_figure(root=True))
-    return path
-
-
-def shown_width(svg: str) -> int:
-    """Return how wide a picture is shown, in pixels of a page.
-
-    As it is; or as wide as the text; or, if its letters would then be too small, wider than that,
-    in a box that scrolls.
-
-    Examples
-    --------
-    >>> [shown_width(f'<svg width="{width}"') for width in ("300pt", "700", "900", "1500")]
-    [400, 700, 736, 1080]
-    """
-    match = re.search(r'<svg[^>]*?\swidth="([0-9.]+)(pt)?"', svg)
-    if match is None:
-        return TEXT_WIDTH
-    natural = round(float(match[1]) * (4 / 3 if match[2] else 1))
-    return natural if natural <= TEXT_WIDTH else max(TEXT_WIDTH, round(SMALLEST_SCALE * natural))
-
-
-def label_of(name: str) -> str:
-    """Return the label of the section of a table or figure."""
-    return f"thesis-{file_stem(name)}"
 
 
 # --- one table or figure --------------------------------------------------------------------------
@@ -170,15 +87,19 @@ def verdict_words(verdicts: Counter[Verdict]) -> str:
     return f"{count(verdicts.total(), 'printed number')}: {words}"
 
 
-def number_nodes(numbers: NumberTable) -> Iterator[nodes.Node]:
-    """Yield the table, what became of the printed numbers, and why some of them do not hold."""
+def number_nodes(numbers: NumberTable, others: Sequence[Erratum]) -> Iterator[nodes.Node]:
+    """Yield the table, what became of the printed numbers, and why some of them do not hold.
+
+    Of the notes those are left out that tell one of the other errata, which stand below.
+    """
     notes: list[Erratum] = []
     rows = [[shown(item, notes) for item in row] for row in numbers.rows]
     yield table(numbers.header, rows, classes=["numbers"])
     if numbers.verdicts:
         yield paragraph(f"Computed [printed]. {verdict_words(numbers.verdicts)}.")
     for note in numbers.notes:
-        yield paragraph(note)
+        if not any(note.startswith(f"{erratum.where}: ") for erratum in others):
+            yield paragraph(note)
     for erratum in notes:
         yield paragraph(*erratum_words(erratum), classes=["erratum"])
 
@@ -210,11 +131,12 @@ def section_of(name: str, picture: Callable[[str], nodes.Node], *, long: bool) -
         found += picture(name)
     elif name in OPEN_FIGURES:
         found += paragraph(nodes.strong("", "Open"), f": {OPEN_FIGURES[name]}.")
-    numbers = numbers_of(name, long=long)
+    numbers, others = numbers_of(name, long=long), errata_at(name)
     if numbers is not None:
-        found += list(number_nodes(numbers))
+        found += list(number_nodes(numbers, others))
     elif name in REPRODUCTIONS:
         found += paragraph("A long experiment, which is not run when the manual is built.")
+    found += [paragraph(*erratum_words(erratum), classes=["erratum"]) for erratum in others]
     if name not in OPEN_FIGURES:
         found += paragraph(nodes.literal(text=f"stochgeom reproduce {name}"))
     return found

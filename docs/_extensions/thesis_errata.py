@@ -5,14 +5,18 @@ A fact that does not hold is a warning, which ends the build of the manual.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from docutils import nodes
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
-from thesis_nodes import label_of, paragraph, section
+from thesis_nodes import Inline, label_of, link_to, paragraph, section
+from thesis_results import label_of as place_label
+from thesis_results import places_of
 
 from stochgeom.cli.layout import count
+from stochgeom.cli.reproduce_text import heading
 from stochgeom.thesis.errata_register import ERRATA, ErratumEntry
 from stochgeom.thesis.facts import Fact
 
@@ -49,6 +53,14 @@ def fact_item(fact: Fact) -> nodes.list_item:
     return nodes.list_item("", paragraph(f"{mark} {fact.claim.strip()}: ", found))
 
 
+def links_of(item: ErratumEntry) -> Iterator[Inline]:
+    """Yield the command that prints an erratum, and links to what it explains."""
+    yield nodes.literal(text=f"stochgeom errata {item.number}")
+    for place, name in enumerate(places_of(item.erratum)):
+        yield ", " if place else "; explains "
+        yield link_to(place_label(name), heading(name))
+
+
 class ThesisErrata(SphinxDirective):
     """Show all errata."""
 
@@ -68,7 +80,7 @@ class ThesisErrata(SphinxDirective):
         found += parts_of(item)
         found += paragraph(f"The facts show: {item.argument}")
         found += nodes.bullet_list("", *map(fact_item, facts), classes=["facts"])
-        found += paragraph(nodes.literal(text=f"stochgeom errata {item.number}"))
+        found += paragraph(*links_of(item))
         for fact in facts:
             if not fact.holds:
                 LOGGER.warning("erratum %d: %s: %s", item.number, fact.claim, fact.found)
