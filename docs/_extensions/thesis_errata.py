@@ -48,7 +48,7 @@ def fact_item(fact: Fact) -> nodes.list_item:
     >>> fact_item(Fact("sides of the rectangle", "4", True)).astext()
     '✓ sides of the rectangle: 4'
     """
-    found = nodes.inline("", fact.found or "none", classes=["found"])
+    found = nodes.literal(text=fact.found or "none")
     mark = "✓" if fact.holds else "✗ does not hold:"
     return nodes.list_item("", paragraph(f"{mark} {fact.claim.strip()}: ", found))
 
