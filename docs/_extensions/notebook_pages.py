@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 FOLDER = "notebooks"
 """Below the root of the project, and below the sources of the manual."""
 
-_LINK_UP = re.compile(r"(\]\()\.\./(docs/)?")
+LIST = "../howto/notebooks.md"
+"""The page that lists the notebooks, as README.md does beside them."""
+
+_LINK = re.compile(r"(?<=\]\()[^)#:\s]+(?=[)#])")
 
 
 def moved_links(text: str) -> str:
@@ -32,10 +35,20 @@ def moved_links(text: str) -> str:
 
     Examples
     --------
-    >>> moved_links("[a](../docs/notation.md) [b](../README.md) [c](07-sensors.ipynb)")
-    '[a](../notation.md) [b](../../README.md) [c](07-sensors.ipynb)'
+    >>> moved_links("[a](../docs/notation.md#b) [c](../README.md) [d](07-sensors.ipynb)")
+    '[a](../notation.md#b) [c](../../README.md) [d](07-sensors.ipynb)'
+    >>> moved_links("[all](README.md) [trials](data/tilt-sizes.json) [far](https://example.org/)")
+    '[all](../howto/notebooks.md) [trials](data/tilt-sizes.json) [far](https://example.org/)'
     """
-    return _LINK_UP.sub(lambda link: link[1] + ("../" if link[2] else "../../"), text)
+    return _LINK.sub(lambda link: _moved(link[0]), text)
+
+
+def _moved(link: str) -> str:
+    if link == "README.md":
+        return LIST
+    if link.startswith("../docs/"):
+        return "../" + link.removeprefix("../docs/")
+    return f"../{link}" if link.startswith("../") else link
 
 
 def copied_notebook(source: str) -> str:
@@ -81,6 +94,7 @@ def lead_to_pages(app: Sphinx, doctree: nodes.document) -> None:
 def set_up_kernels(app: Sphinx) -> None:
     """Give the kernels a profile of their own: no start-up files, no word unless it is an error.
 
+    They import the package beside the manual, as the reference does, wherever another is installed.
     Each kernel would tell that it listens to this machine without encryption, and its client that
     a notebook is executed.
     """
@@ -89,6 +103,10 @@ def set_up_kernels(app: Sphinx) -> None:
     quiet = json.dumps({"IPKernelApp": {"log_level": logging.ERROR}})
     (profile / "ipython_kernel_config.json").write_text(quiet, encoding="utf-8")
     os.environ["IPYTHONDIR"] = str(profile.parent)
+    known = os.environ.get("PYTHONPATH")
+    os.environ["PYTHONPATH"] = os.pathsep.join(
+        [str(Path(app.srcdir).parent), *filter(None, [known])]
+    )
     logging.getLogger("traitlets").setLevel(logging.WARNING)
 
 
