@@ -11,8 +11,19 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
-from stochgeom import DiameterFunction, FeedingPlan, FeedingProblem, Part, catalogue_part
+from stochgeom import (
+    AdditiveCost,
+    DiameterFunction,
+    FeedingPlan,
+    FeedingProblem,
+    Part,
+    PlanningProblem,
+    Sensor,
+    all_sensor_plans,
+    catalogue_part,
+)
 from stochgeom.exact.angles import Angle
+from stochgeom.plotting.and_or_scenes import and_or_scene
 from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.grasp_scenes import grasp_scene
@@ -39,6 +50,16 @@ def analysis(name: str) -> Scene:
     problem = FeedingProblem(catalogue_part(name))
     wave = DiameterFunction(catalogue_part(name))
     return analysis_scene(problem.transfer, problem.preimages, wave, name="squeeze function")
+
+
+def coin_tree() -> Scene:
+    """Return all plans of two moves of the coin of the tutorial."""
+    cost = AdditiveCost(actions="1/8", states={"tails": 1})
+    coin = PlanningProblem(
+        ["heads", "tails"], ["1/2", "1/2"], ["turn"], {"turn": [[0, 1], [1, 0]]}, cost
+    )
+    eye = Sensor.noisy(coin.states, "1/10", cost="1/16")
+    return and_or_scene(all_sensor_plans(coin, eye, 2))
 
 
 def pictures() -> dict[str, str]:
@@ -70,6 +91,9 @@ def pictures() -> dict[str, str]:
         ),
         "funnel.svg": svg_document(
             funnel_scene(plan_of("4gon")), title="the plan of the 4gon as a funnel", scale=1
+        ),
+        "coin-tree.svg": svg_document(
+            coin_tree(), title="all plans of two moves, to turn or to look at a coin", scale=1
         ),
     }
 

@@ -1,7 +1,7 @@
-"""Pictures of decisions on matplotlib `Axes`: risks, plans as trees, sensors; extra ``plot``.
+"""Pictures of decisions on matplotlib `Axes`: risks and sensors; extra ``plot``.
 
-Risk curves (thesis Fig. A.1), all open-loop plans (Fig. 2.1), plans with sensors (Figs. 7.1 and
-7.4), and the density of a sensor's data with the bins it is read in (Figs. 7.2 and 7.3).
+Risk curves (thesis Fig. A.1), and the density of a sensor's data with the bins it is read in (Figs.
+7.2 and 7.3).
 """
 
 from __future__ import annotations
@@ -14,20 +14,15 @@ import numpy as np
 from gmpy2 import mpq
 
 from stochgeom.decision.decision_rules import DecisionProblem, Rule
-from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.errors import InputError, SensorError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.plotting.arguments import expect
-from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
+from stochgeom.plotting.axes import axes_or_new, need_matplotlib
 from stochgeom.plotting.function_pictures import LETTERS
-from stochgeom.plotting.hyperstate_trees import open_loop_scene
 from stochgeom.plotting.styles import INK, STYLES
-from stochgeom.plotting.tree_scenes import tree_scene
 from stochgeom.sensing.gaussian import gaussian_bins
-from stochgeom.sensing.plan_tree import PlanTree
-from stochgeom.sensing.sensor_plan import SensorPlan
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -41,73 +36,6 @@ _DASHES: Final = ("-", "--", ":", "-.", (0, (7, 2)), (0, (1, 3)), (0, (7, 2, 1, 
 _MARKERS: Final = "osD^vP*X"
 _NARROWEST: Final = 0.055
 """Bins that take a smaller share of the axis are not named."""
-
-
-def draw_open_loop_plans(problem: PlanningProblem, stages: int, ax: Axes | None = None) -> Axes:
-    """Draw all plans of so many actions as a tree of hyperstates (Fig. 2.1).
-
-    The bars in a box are the probabilities of the states. Of a problem with a cost, each plan's
-    cost stands at its end and the cheapest plans are heavy, decided exactly.
-
-    Parameters
-    ----------
-    problem : PlanningProblem
-        States, prior, actions; a cost or none.
-    stages : int
-        The number of actions of each plan.
-    ax : Axes, optional
-        Where; default: on a new figure.
-
-    Raises
-    ------
-    InputError
-        If the number of actions is none.
-    NodeLimitError
-        If there are more than 81 plans.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from stochgeom.decision.additive_costs import AdditiveCost
-    >>> turn = PlanningProblem.from_matrices(
-    ...     ["1/4", "3/4"], {"turn": [[0, 1], [1, 0]], "wait": [[1, 0], [0, 1]]},
-    ...     cost=AdditiveCost(states={"1": 1}),
-    ... )
-    >>> ax = draw_open_loop_plans(turn, 1, Figure().subplots())
-    >>> [text.get_text() for text in ax.texts]
-    ['turn', 'wait', 'cost 0.2500', 'cost 0.7500']
-    """
-    need_matplotlib()
-    return draw_scene(open_loop_scene(problem, stages), ax, inches=_INCHES)
-
-
-def draw_plan_tree(tree: PlanTree | SensorPlan, ax: Axes | None = None, *, digits: int = 4) -> Axes:
-    """Draw a plan with sensors as a tree (Figs. 7.1 and 7.4).
-
-    Boxes are actions, hexagons sensings, round boxes ends; an arc joins the branches of a sensing,
-    which all belong to the plan.
-
-    Parameters
-    ----------
-    tree : PlanTree or SensorPlan
-        The plan.
-    ax : Axes, optional
-        Where; default: on a new figure.
-    digits : int
-        Decimals of the probabilities.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from stochgeom.sensing.tree_nodes import Leaf
-    >>> tree = PlanTree(Leaf((mpq(1),), "up", mpq(1)), ("up",))
-    >>> draw_plan_tree(tree, Figure().subplots(), digits=1).texts[0].get_text()
-    'accept up (1.0)'
-    """
-    need_matplotlib()
-    found = tree.tree if isinstance(tree, SensorPlan) else tree
-    found = expect(found, PlanTree, "a PlanTree, such as sensor_plan(problem, sensor, 2).tree")
-    return draw_scene(tree_scene(found, digits), ax, inches=_INCHES)
 
 
 def draw_sensor_density(

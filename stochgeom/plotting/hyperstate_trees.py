@@ -12,19 +12,21 @@ from itertools import product
 from typing import Any, Final
 
 from stochgeom.decision.infinity import is_infinite
-from stochgeom.decision.planning_problem import PlanningProblem
+from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.errors import InputError, NodeLimitError
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.graph import TEXT
-from stochgeom.plotting.scene import GLYPH_WIDTH, Label, Line, Scene, rectangle
+from stochgeom.plotting.scene import GLYPH_WIDTH, XY, Label, Line, Scene, rectangle
 
 MOST_PLANS: Final = 81
 """Trees of more plans are not drawn."""
 
 _ROW: Final = 36.0
-_BOX: Final = 52.0
-_HALF: Final = 14.0
+BOX: Final = 52.0
+HALF: Final = 14.0
+"""Width and half the height of the box of a hyperstate, in pixels like everything here."""
+
 _LETTERS_OF_ACTION: Final = 18
 
 _Word = tuple[int, ...]
@@ -61,8 +63,8 @@ def open_loop_scene(problem: PlanningProblem, stages: int, digits: int = 4) -> S
         )
     plans = list(product(numbers, repeat=stages))
     costs, best = _costs(problem, plans)
-    texts = [_action_text(action) for action in problem.actions]
-    pitch = _BOX + 40.0 + max(GLYPH_WIDTH * TEXT * len(text) for text in texts)
+    texts = [short_label(str(action)) for action in problem.actions]
+    pitch = BOX + 40.0 + max(GLYPH_WIDTH * TEXT * len(text) for text in texts)
     scene = Scene()
     for depth in range(stages):
         for word in product(numbers, repeat=depth + 1):
@@ -70,9 +72,10 @@ def open_loop_scene(problem: PlanningProblem, stages: int, digits: int = 4) -> S
     for depth in range(stages + 1):
         for word in product(numbers, repeat=depth):
             y = _height(word, len(numbers), stages)
-            _add_box(scene, depth * pitch, y, problem.run(problem.actions[a] for a in word))
+            hyperstate = problem.run(problem.actions[a] for a in word)
+            add_hyperstate(scene, (depth * pitch, y), hyperstate)
     for word, cost in zip(plans, costs, strict=False):
-        at = (stages * pitch + _BOX + 8, _height(word, len(numbers), stages))
+        at = (stages * pitch + BOX + 8, _height(word, len(numbers), stages))
         text = "cost infinite" if is_infinite(cost) else f"cost {number_decimal(cost, digits)}"
         scene.add(Label(at, text, TEXT, "start", bold=word in best))
     return scene
@@ -88,8 +91,8 @@ def _costs(problem: PlanningProblem, plans: Sequence[_Word]) -> tuple[list[Any],
     return costs, {word for word, cost in zip(plans, costs, strict=True) if cost == least}
 
 
-def _action_text(action: Any) -> str:
-    text = str(action)
+def short_label(text: str) -> str:
+    """Return what a branch has room for."""
     return text if len(text) <= _LETTERS_OF_ACTION else f"{text[: _LETTERS_OF_ACTION - 1]}…"
 
 
@@ -111,7 +114,7 @@ def _add_branch(
     text: str,
     best: set[_Word],
 ) -> None:
-    start = ((len(word) - 1) * pitch + _BOX, _height(word[:-1], actions, stages))
+    start = ((len(word) - 1) * pitch + BOX, _height(word[:-1], actions, stages))
     y = _height(word, actions, stages)
     heavy = any(plan[: len(word)] == word for plan in best)
     way = (start, (start[0] + 20, y), (len(word) * pitch, y))
@@ -119,11 +122,13 @@ def _add_branch(
     scene.add(Label((start[0] + 26, y + 0.7 * TEXT), text, TEXT, "start", bold=heavy))
 
 
-def _add_box(scene: Scene, x: float, y: float, hyperstate: Any) -> None:
-    scene.add(rectangle((x, y - _HALF), (x + _BOX, y + _HALF), "act"))
-    width = (_BOX - 6) / len(hyperstate)
+def add_hyperstate(scene: Scene, at: XY, hyperstate: Vector, style: str = "act") -> None:
+    """Draw a box with a bar for each state; ``at`` is the middle of its left side."""
+    x, y = at
+    scene.add(rectangle((x, y - HALF), (x + BOX, y + HALF), style))
+    width = (BOX - 6) / len(hyperstate)
     for k, share in enumerate(map(float, hyperstate)):
         if share:
-            left, low = x + 3 + k * width, y - _HALF + 2
-            top = low + share * (2 * _HALF - 4)
+            left, low = x + 3 + k * width, y - HALF + 2
+            top = low + share * (2 * HALF - 4)
             scene.add(rectangle((left, low), (left + 0.86 * width, top), "probable"))

@@ -11,6 +11,7 @@ from typing import Final
 
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.display import Renderers
+from stochgeom.errors import NodeLimitError
 from stochgeom.exact.cells import CellSet
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.exact.sums import AngleSum
@@ -22,6 +23,7 @@ from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.push_stability import PushStability
 from stochgeom.grasping.squeeze_stability import SqueezeStability
+from stochgeom.plotting.and_or_scenes import and_or_scene
 from stochgeom.plotting.distributions import distribution_scene
 from stochgeom.plotting.function_scenes import bars_scene, step_scene, wave_scene
 from stochgeom.plotting.part_scenes import part_scene
@@ -39,6 +41,7 @@ from stochgeom.plotting.stability_scenes import (
 )
 from stochgeom.plotting.svg import svg_document
 from stochgeom.plotting.tree_scenes import tree_scene
+from stochgeom.sensing.and_or_tree import AndOrTree
 from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.transfer.step_function import StepFunction
 
@@ -119,6 +122,14 @@ def tree_svg(tree: PlanTree, digits: int = 4) -> str:
     return svg_document(tree_scene(tree, digits), title=repr(tree), scale=1.0)
 
 
+def all_plans_svg(tree: AndOrTree, digits: int = 4) -> str | None:
+    """Return the tree of all plans with sensors, nothing if it is too large for a picture."""
+    try:
+        return svg_document(and_or_scene(tree, digits), title=repr(tree), scale=1.0)
+    except NodeLimitError:
+        return None
+
+
 def number_latex(number: TurnRatio | AngleSum) -> str:
     """Return an exact probability or cost as a formula."""
     import sympy
@@ -134,6 +145,7 @@ def plan_report(plan: FeedingPlan, path: str | os.PathLike[str], *, digits: int)
 
 
 RENDERERS: Final[Renderers] = {
+    ("AndOrTree", "svg"): all_plans_svg,
     ("AngleSum", "latex"): number_latex,
     ("CellSet", "svg"): cells_svg,
     ("DecisionProblem", "html"): decision_problem_html,

@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Final, final
 
 from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.decision.goal_costs import GoalCost
+from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.plan_costs import PlanCost
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.feeding.planner import plan_feeding
 from stochgeom.feeding.plans import FeedingPlan
@@ -26,12 +28,10 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
-from stochgeom.plotting.decision_pictures import (
-    draw_open_loop_plans,
-    draw_risks,
-    draw_sensor_density,
-)
+from stochgeom.plotting.closure_pictures import draw_closure, draw_monotone_step
+from stochgeom.plotting.decision_pictures import draw_risks, draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density
+from stochgeom.plotting.feeder_pictures import draw_feeder
 from stochgeom.plotting.function_pictures import (
     draw_diameter,
     draw_radius,
@@ -54,8 +54,11 @@ from stochgeom.plotting.stability_pictures import (
     draw_push_stability,
     draw_squeeze_stability,
 )
-from stochgeom.plotting.tilting_pictures import draw_tilts, draw_tray
+from stochgeom.plotting.tilting_pictures import draw_tilting, draw_tilts, draw_tray
+from stochgeom.plotting.tree_pictures import draw_all_plans, draw_open_loop_plans
+from stochgeom.sensing.and_or_tree import all_sensor_plans
 from stochgeom.sensing.sensing_problem import SensingProblem
+from stochgeom.sensing.sensors import Sensor
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
 from stochgeom.thesis.chapter_6 import figure_6_4_model
 from stochgeom.thesis.figures_4 import figure_4_6
@@ -70,6 +73,13 @@ if TYPE_CHECKING:
 Drawing = Callable[[], "Axes | str"]
 
 SQUARE: Final = ((0, 0), (1, 0), (1, 1), (0, 1))
+
+NINE_SIDED: Final = ((0, 1), (2, 0), (3, 0), (7, 1), (8, 3), (7, 5), (5, 8), (1, 6), (0, 2))
+"""A stand-in for the part of Fig. 5.11, of which the source prints no number.
+
+Ours, not the source's, so it is no part of the catalogue: convex, without parallel edges, seven
+steps in half a turn, and five squeezes orient it up to symmetry.
+"""
 
 
 @final
@@ -133,6 +143,12 @@ def _analysis(name: str) -> Axes:
     return _first(draw_analysis(FeedingProblem(catalogue_part(name))))
 
 
+def _nine_sided_analysis() -> Axes:
+    top, *_ = draw_analysis(FeedingProblem(Part(NINE_SIDED)))
+    top.set_title("a 9-sided stand-in: the source prints no number of its part")
+    return top
+
+
 def _push_grasp_analysis(name: str) -> Axes:
     return _first(draw_push_grasp_analysis(catalogue_part(name, appendix="E")))
 
@@ -148,14 +164,27 @@ def _sensor_tree() -> str:
     return problem.compare_orders(1).sense_then_act.tree.svg()
 
 
-def _open_loop_plans() -> Axes:
+def _push_and_shake(cost: PlanCost) -> PlanningProblem:
+    """Return a problem of three states in a row: a push moves to the right, mostly."""
     third = ["1/3", "1/3", "1/3"]
     push = [["1/4", "3/4", 0], [0, "1/4", "3/4"], [0, 0, 1]]
-    problem = PlanningProblem(
+    return PlanningProblem(
         ["left", "middle", "right"], third, ["push", "shake"], {"push": push, "shake": [third] * 3},
-        GoalCost("right", actions="1/10"),
+        cost,
     )  # fmt: skip
-    return draw_open_loop_plans(problem, 2)
+
+
+def _open_loop_plans() -> Axes:
+    return draw_open_loop_plans(_push_and_shake(GoalCost("right", actions="1/10")), 2)
+
+
+def _all_plans() -> Axes:
+    """Return all plans of two moves: to push, to shake, to look whether it is at the right."""
+    problem = _push_and_shake(IterativeCost("right", actions=1, test=2))
+    eye = Sensor.from_function(
+        problem.states, lambda state: "yes" if state == "right" else "no", cost="1/10"
+    )
+    return draw_all_plans(all_sensor_plans(problem, eye, 2), digits=2)
 
 
 def _risks_of_two_rules() -> Axes:
@@ -193,6 +222,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("3.7", "squeeze-grasp diagram of the house, mu = 1/4",
      lambda: draw_grasp_diagram(catalogue_part("house"), "1/4")),
     ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
+    ("4.2", "a feeder that carries out the plan of the 4gon", lambda: draw_feeder(_plan("4gon"))),
     ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
     ("4.4", "diameter and squeeze function of the 4gon", _diameter_and_squeeze),
     ("4.5", "two squeezes of the house", lambda: draw_trace(_plan("house"))),
@@ -202,14 +232,21 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.3", "its widest step", lambda: draw_phase_one(_squeezes("rectangle"), 1)),
     ("5.4", "the widest arc with a narrower image",
      lambda: draw_phase_one(_squeezes("rectangle"), 2)),
+    ("5.5", "the closure of a set that the plan of the 4gon collapses",
+     lambda: draw_closure(_plan("4gon"))),
+    ("5.6", "its parts keep their order under a step", lambda: draw_monotone_step(_plan("4gon"))),
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("5.11", "geometric analysis of a 9-sided stand-in, the source's part being lost",
+     _nine_sided_analysis),
+    ("6.1", "a robot tilts a tray, from the side", draw_tilting),
     ("6.2", "the twelve states of a tile in a tray", draw_tray),
     ("6.3", "outcomes of tilt 1 from state 7", lambda: draw_tilts(figure_6_4_model(), 7, [1])),
     ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
     ("7.2", "density of a noisy sensor", lambda: draw_sensor_density(2, 1)),
     ("7.3", "the readings of a 2-bit sensor", lambda: draw_sensor_density(2, 1, [1, 2, 3])),
+    ("7.4", "all plans of two moves, sensing or acting, as a tree", _all_plans),
     ("A.1", "risks of two decision rules", _risks_of_two_rules),
     ("B.1", "the standard gripper", draw_gripper),
     ("B.2", "a hex nut wedged, and stable", lambda: draw_sliding_jaw(Part.regular(6), 20)),
@@ -234,16 +271,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("G.4", "Beta density, alpha = 4, 1", lambda: draw_beta_density(4, 1)),
 )  # fmt: skip
 
-OPEN_FIGURES: Final = MappingProxyType(
-    {
-        "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
-        "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
-        "fig6.1": "side views of a robot that tilts a tray: no drawing function",
-        "fig7.4": "the tree of all plans with sensors: one of them is drawn, as fig7.1",
-    }
-)
+OPEN_FIGURES: Final[Mapping[str, str]] = MappingProxyType({})
 """Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""
 
 SOURCE_FIGURES: Final[Mapping[str, SourceFigure]] = MappingProxyType(

@@ -67,6 +67,7 @@ STYLES: Final[dict[str, Style]] = {
     "best": Style(None, INK, 2.2),
     "both": Style(None, INK, 1.1),
     "act": Style("#eef3f9", INK, 0.9),
+    "chosen": Style("#eef3f9", INK, 2.6),
     "sense": Style("#d9d2bd", INK, 0.9),
     "leaf": Style(PAPER, INK, 0.9),
     "probable": Style("#23527c", None),

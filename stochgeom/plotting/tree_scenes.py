@@ -1,4 +1,4 @@
-"""Plans with sensors as trees (thesis Figs. 7.1 and 7.4).
+"""Plans with sensors as trees (thesis Fig. 7.1).
 
 From left to right: boxes are actions, hexagons sensings, round boxes ends. An arc across the
 branches of a sensing says that all of them belong to the plan, the convention of AND/OR trees.
@@ -110,14 +110,19 @@ def _add_edges(scene: Scene, placed: _Placed, columns: list[float]) -> None:
         if child.edge:
             scene.add(Label((bend + 4, child.y + 0.65 * TEXT), child.edge, TEXT, "start"))
     if isinstance(placed.node, Sense) and len(placed.children) > 1:
-        scene.add(_arc(start, placed.children[0].y, placed.children[-1].y))
+        top, bottom = ((bend, child.y) for child in (placed.children[0], placed.children[-1]))
+        scene.add(arc_across(start, top, bottom, 0.31 * _GAP))
 
 
-def _arc(start: XY, top: float, bottom: float) -> Line:
-    """Return the arc across branches that run from a node to these heights."""
-    reach = _GAP / 2
-    radius = 0.62 * reach
-    first, last = (math.atan2(y - start[1], reach) for y in (top, bottom))
+def arc_across(start: XY, top: XY, bottom: XY, radius: float) -> Line:
+    """Return the arc across branches that run from a node to these points and those between.
+
+    Examples
+    --------
+    >>> arc_across((0, 0), (1, 1), (1, -1), 2**0.5).points[6]
+    (1.4142135623730951, 0.0)
+    """
+    first, last = (math.atan2(y - start[1], x - start[0]) for x, y in (top, bottom))
     steps = [first + (last - first) * k / 12 for k in range(13)]
     points = tuple(
         (start[0] + radius * math.cos(a), start[1] + radius * math.sin(a)) for a in steps

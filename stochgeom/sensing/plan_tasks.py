@@ -26,7 +26,13 @@ from gmpy2 import mpq
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
-from stochgeom.errors import InputError, NoPlanError, SensorError, ShapeMismatchError
+from stochgeom.errors import (
+    InputError,
+    NodeLimitError,
+    NoPlanError,
+    SensorError,
+    ShapeMismatchError,
+)
 from stochgeom.exact.decimals import Rounding, certified_decimal
 from stochgeom.exact.quotients import SumQuotient, quotient
 from stochgeom.sensing.decisions import Decisions
@@ -71,7 +77,7 @@ class PlanTask:
         self.sensors = {
             label: _fitting(sensor, label, problem) for label, sensor in labelled(sensors).items()
         }
-        self.stages = _stages(horizon, stages)
+        self.stages = _stages(horizon, stages, node_limit)
         self.node_limit = node_limit
 
     def number(self, value: Any, where: str) -> Any:
@@ -252,13 +258,22 @@ def _fitting(sensor: Sensor, label: Any, problem: PlanningProblem) -> Sensor:
     return sensor.to_float() if sensor.exact and not problem.exact else sensor
 
 
-def _stages(horizon: int | None, stages: Sequence[str] | None) -> tuple[str, ...]:
-    """Return what each move may be, from a horizon or from a list."""
+def _stages(horizon: int | None, stages: Sequence[str] | None, node_limit: int) -> tuple[str, ...]:
+    """Return what each move may be, from a horizon or from a list.
+
+    A horizon beyond the node limit is refused before it becomes a list of that length.
+    """
     if (horizon is None) == (stages is None):
         raise InputError("neither or both of a horizon and stages; accepted: one of them")
     if stages is None:
         if not isinstance(horizon, int) or isinstance(horizon, bool) or horizon < 0:
             raise InputError(f"{horizon!r}; accepted: whole numbers from 0 on", where="horizon")
+        if horizon > node_limit:
+            raise NodeLimitError(
+                f"{horizon} moves make a tree of more than {node_limit} nodes; accepted: fewer, or "
+                "another node limit",
+                where="horizon",
+            )
         return ("any",) * horizon
     for stage in stages:
         if stage not in STAGES:

@@ -209,16 +209,46 @@ def plan_for_cost(
     cost = problem.cost
     if not isinstance(cost, IterativeCost):
         return sensor_plan(problem, sensors, horizon, **settings)
-    accepted = None
-    if cost.goal is not None:
-        states = [problem.states[k] for k in goal_numbers(problem, cost.goal)]
-        accepted = accept_groups(problem.states, {"goal": states})
     return iterative_sensor_plan(
         problem,
         sensors,
         horizon,
         round_cost=cost.test,
         action_costs=cost.actions,
-        accepted=accepted,
+        accepted=_accepted_by(cost, problem),
         **settings,
     )
+
+
+def ends_by_cost(problem: PlanningProblem) -> tuple[Decisions, tuple[Any, ...], Any]:
+    """Return what plans end in, the prices of the actions, and the cost of a round or None.
+
+    By the problem's own cost, as `plan_for_cost` takes it; without a cost plans accept a state and
+    actions cost nothing.
+
+    Raises
+    ------
+    SensorError
+        If the problem's cost is neither iterative nor additive.
+
+    Examples
+    --------
+    >>> problem = PlanningProblem.from_matrices(["1/2", "1/2"], {"turn": [[0, 1], [1, 0]]})
+    >>> ends_by_cost(problem)[1:]
+    ((mpq(0,1),), None)
+    >>> ends_by_cost(problem.with_cost(IterativeCost(test=2)))[1:]
+    ((mpq(1,1),), 2)
+    """
+    cost = problem.cost
+    if cost is None:
+        return accept_one_of(problem.states), read_prices(problem, 0), None
+    if not isinstance(cost, IterativeCost):
+        return *lose_by_state(problem), None
+    return _accepted_by(cost, problem), read_prices(problem, cost.actions), cost.test
+
+
+def _accepted_by(cost: IterativeCost, problem: PlanningProblem) -> Decisions:
+    if cost.goal is None:
+        return accept_one_of(problem.states)
+    states = [problem.states[k] for k in goal_numbers(problem, cost.goal)]
+    return accept_groups(problem.states, {"goal": states})

@@ -24,6 +24,7 @@ COIN = sg.PlanningProblem.from_matrices(
 LONG = sg.FAMILIES["long plans"].generate(15, 1)
 
 SHOWN = {
+    "AndOrTree": lambda: sg.all_sensor_plans(COIN, sg.Sensor.perfect(COIN.states), 2),
     "AngleSum": lambda: sg.AngleSum(1, [(2, sg.Angle(0, (3, 2)))]),
     "CellSet": lambda: sg.GraspDiagram(RECTANGLE, "1/4").guaranteed,
     "DecisionProblem": lambda: sg.DecisionProblem(
