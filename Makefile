@@ -29,15 +29,16 @@ lint: $(VENV)/.installed-dev
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-# The manual, to be read from build/manual/index.html; what a reference cannot find is an error.
+# The manual, to be read from build/manual/index.html; what a reference cannot find is an error, and so
+# is a notebook that fails. ARGS="-D thesis_long_experiments=1" runs the long experiments as well.
 docs: $(VENV)/.installed-dev
-	$(BIN)/python -m sphinx --fresh-env --fail-on-warning --keep-going --quiet -b html docs build/manual
+	$(BIN)/python -m sphinx --fresh-env --fail-on-warning --keep-going --quiet -b html $(ARGS) docs build/manual
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python -m benchmarks $(ARGS)
 
 clean:
-	rm -rf $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache build dist
+	rm -rf $(VENV) .hypothesis .mypy_cache .pytest_cache .ruff_cache build dist docs/notebooks
 	find stochgeom tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
 
 # The stamps make a second call install nothing. `venv` is safe to repeat, so that a set-up that

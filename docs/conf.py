@@ -13,13 +13,16 @@ author = "the stochgeom developers"
 project_copyright = author
 
 extensions = [
-    "myst_parser",
+    "myst_nb",  # which reads Markdown through myst_parser
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "attribute_lists",
     "command_help",
+    "notebook_pages",
     "plain_references",
     "public_names",
+    "thesis_chapters",
+    "thesis_errata",
 ]
 # README.md is the page of the folder for those who read the sources; the manual begins at index.md.
 exclude_patterns = ["README.md", "_build"]
@@ -27,6 +30,13 @@ exclude_patterns = ["README.md", "_build"]
 # Headings can be linked to, three deep.
 myst_heading_anchors = 3
 myst_enable_extensions = ["dollarmath"]
+
+# Notebooks are executed at each build, none is taken from a cache: what they show depends on the
+# whole package. One that fails ends the build. Pages in Markdown are not executed here.
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_merge_streams = True
 
 # Docstrings are numpydoc. Attributes go into the text of their class: a dataclass documents its
 # fields there, and autodoc would describe them once more.
@@ -40,6 +50,7 @@ autodoc_preserve_defaults = True
 
 html_theme = "furo"
 html_title = "stochgeom"
-html_static_path: list[str] = []
+html_static_path = ["_static"]
+html_css_files = ["manual.css"]
 html_copy_source = False
 html_show_sphinx = False
