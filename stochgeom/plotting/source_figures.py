@@ -72,6 +72,9 @@ Drawing = Callable[[], "Axes | str"]
 
 SQUARE: Final = ((0, 0), (1, 0), (1, 1), (0, 1))
 
+TRACED: Final = ("75", "130", "165", "220")
+"""Orientations of the rectangle in Fig. 1.1, in degrees: different ones that end alike."""
+
 
 @final
 @dataclass(frozen=True, slots=True)
@@ -100,7 +103,8 @@ def _plan(name: str) -> FeedingPlan:
 
 
 def _traces_of_the_rectangle() -> Axes:
-    return draw_trace(_plan("rectangle"), orientations=["20", "75", "130", "165"])
+    """Return four traces that end alike: their orientations are within the plan's mouth."""
+    return draw_trace(_plan("rectangle"), orientations=TRACED)
 
 
 def _two_axes() -> tuple[Axes, Axes]:
