@@ -63,6 +63,7 @@ _NAMES = {
     "exact.vectors": "AngleVector",
     "feeding.actions": "Action",
     "feeding.adversarial": "FAMILIES",
+    "feeding.closures": "Closure closure_of",
     "feeding.grasp_costs": "plan_weighing_grasps stability_costs",
     "feeding.gripper_error": "ErrorBound",
     "feeding.nearby_courses": "PartErrorReport",
@@ -98,8 +99,10 @@ _NAMES = {
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",
     "plotting.axes": "save_figure",
+    "plotting.closure_pictures": "draw_closure draw_monotone_step",
     "plotting.decision_pictures": "draw_risks draw_sensor_density",
     "plotting.density_pictures": "draw_beta_density",
+    "plotting.feeder_pictures": "draw_feeder",
     "plotting.friction_pictures": "draw_friction_bounds",
     "plotting.function_pictures": (
         "draw_diameter draw_distribution draw_preimages draw_radius draw_step_function "
@@ -112,7 +115,7 @@ _NAMES = {
     "plotting.stability_pictures": (
         "draw_grasp_diagram draw_push_density draw_push_stability draw_squeeze_stability "
     ),
-    "plotting.tilting_pictures": "draw_tilts draw_tray",
+    "plotting.tilting_pictures": "draw_tilting draw_tilts draw_tray",
     "plotting.tree_pictures": "draw_all_plans draw_open_loop_plans draw_plan_tree",
     "sensing.and_or_tree": "AndOrTree all_sensor_plans",
     "sensing.calibration": "CalibrationProblem calibration_problem expected_entropy",

@@ -72,6 +72,8 @@ from stochgeom.exact.surds import exact_scalar as exact_scalar
 from stochgeom.exact.vectors import AngleVector as AngleVector
 from stochgeom.feeding.actions import Action as Action
 from stochgeom.feeding.adversarial import FAMILIES as FAMILIES
+from stochgeom.feeding.closures import Closure as Closure
+from stochgeom.feeding.closures import closure_of as closure_of
 from stochgeom.feeding.grasp_costs import plan_weighing_grasps as plan_weighing_grasps
 from stochgeom.feeding.grasp_costs import stability_costs as stability_costs
 from stochgeom.feeding.gripper_error import ErrorBound as ErrorBound
@@ -131,9 +133,12 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis as draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import save_figure as save_figure
+from stochgeom.plotting.closure_pictures import draw_closure as draw_closure
+from stochgeom.plotting.closure_pictures import draw_monotone_step as draw_monotone_step
 from stochgeom.plotting.decision_pictures import draw_risks as draw_risks
 from stochgeom.plotting.decision_pictures import draw_sensor_density as draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density as draw_beta_density
+from stochgeom.plotting.feeder_pictures import draw_feeder as draw_feeder
 from stochgeom.plotting.friction_pictures import draw_friction_bounds as draw_friction_bounds
 from stochgeom.plotting.function_pictures import draw_diameter as draw_diameter
 from stochgeom.plotting.function_pictures import draw_distribution as draw_distribution
@@ -155,6 +160,7 @@ from stochgeom.plotting.stability_pictures import draw_grasp_diagram as draw_gra
 from stochgeom.plotting.stability_pictures import draw_push_density as draw_push_density
 from stochgeom.plotting.stability_pictures import draw_push_stability as draw_push_stability
 from stochgeom.plotting.stability_pictures import draw_squeeze_stability as draw_squeeze_stability
+from stochgeom.plotting.tilting_pictures import draw_tilting as draw_tilting
 from stochgeom.plotting.tilting_pictures import draw_tilts as draw_tilts
 from stochgeom.plotting.tilting_pictures import draw_tray as draw_tray
 from stochgeom.plotting.tree_pictures import draw_all_plans as draw_all_plans

@@ -241,4 +241,19 @@ class UnknownReproductionError(InputError):
 
 
 class MissingExtraError(StochgeomError, ImportError):
-    """An optional dependency is not installed; the message names the extra that brings it."""
+    """An optional dependency is not installed (exit code 2); the message names its extra."""
+
+    @classmethod
+    def of(cls, what: str, module: str, extra: str, *, instead: str = "") -> MissingExtraError:
+        """Return the error that something needs a module which an extra brings.
+
+        Examples
+        --------
+        >>> print(MissingExtraError.of("pictures", "matplotlib", "plot"))
+        pictures need matplotlib, which is not installed; accepted: the extra stochgeom[plot] (pip
+        install 'stochgeom[plot]', or '.[plot]' in a clone)
+        """
+        return cls(
+            f"{what} need {module}, which is not installed; accepted: the extra stochgeom[{extra}] "
+            f"(pip install 'stochgeom[{extra}]', or '.[{extra}]' in a clone){instead}"
+        )

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 HERE = Path(stochgeom.__file__).parents[1]
 
-PLAIN = {"COLUMNS": "88", "NO_COLOR": "1"}
+PLAIN = {"COLUMNS": "80", "NO_COLOR": "1"}
 """What argparse looks at before it breaks lines and paints them."""
 
 

@@ -20,14 +20,17 @@ _EPILOG = """\
 PROBLEM.json holds states, a prior, actions, a stochastic matrix for each, and a cost:
 
   {"states": ["heads", "tails"], "prior": [1, 0], "actions": ["turn", "throw"],
-   "transitions": {"turn": [[0, 1], [1, 0]], "throw": [["1/2", "1/2"], [0.5, 0.5]]},
+   "transitions": {"turn": [[0, 1], [1, 0]],
+                   "throw": [["1/2", "1/2"], [0.5, 0.5]]},
    "cost": {"kind": "goal", "goal": ["tails"], "actions": {"turn": "1/10"}}}
 
 It may hold sensors, "sensors": {"eye": {"readings": [...], "likelihood": {STATE: [...]},
 "cost": C}}; then the plan is a tree, and the cost is additive, goal or iterative.
 
 Numbers are exact: 0.5 is one half. With "numbers": "float" they are floats. Kinds of cost:
-additive, minimax, goal, guaranteed, iterative, entropy, variance, distance. examples:
+additive, minimax, goal, guaranteed, iterative, entropy, variance, distance.
+
+examples:
 
   stochgeom decide coin.json --horizon 3
   stochgeom decide coin.json --horizon 3 --all --json
@@ -46,7 +49,6 @@ def add_parser(commands: Any) -> None:
         description="Print the plan of least cost among those of at most so many actions. Exit "
         "code 1 if every plan has infinite cost: no plan is certain to succeed.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("file", metavar="PROBLEM.json", help="the problem")
     parser.add_argument(
@@ -158,5 +160,5 @@ def _number(text: str | None, where: str, *, exact: bool) -> Any:
 
 def _whole(text: str, where: str) -> int:
     if re.fullmatch(r"[0-9]{1,9}", text) is None:
-        raise InputError(f"{text[:60]!r}; accepted: a whole number", where=where)
+        raise InputError(f"{text[:60]!r}; accepted: a whole number from 0 on", where=where)
     return int(text)

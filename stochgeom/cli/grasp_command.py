@@ -20,11 +20,13 @@ from stochgeom.io.priors import load_prior
 
 _EPILOG = """\
 SOURCE is the same as for stochgeom plan. Exit code 1 if a tolerance is asked for and no grasp
-bears it. examples:
+bears it.
+
+examples:
 
   stochgeom grasp house --mu 0.25
   stochgeom grasp rectangle --mu 1/10 --tolerance 10
-  stochgeom grasp --vertices "0,0 3,0 3,2 0,2" --mu 0.25 --probability 0.9 --json
+  stochgeom grasp --vertices "0,0 3,0 3,2 0,2" --mu 0.25 --probability 0.9
 """
 
 
@@ -37,7 +39,6 @@ def add_parser(commands: Any) -> None:
         "\nthe largest error of the orientation that a grasp bears, and lower bounds on the\n"
         "probability that a random grasp ends stable.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("source", nargs="?", metavar="SOURCE", help="what to grasp")
     parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')

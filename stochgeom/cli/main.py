@@ -16,6 +16,7 @@ from importlib import import_module
 from typing import Any, NoReturn
 
 import stochgeom.errors as errors
+from stochgeom.cli.help_text import HelpFormatter
 from stochgeom.cli.output import write_json
 from stochgeom.io.rings import showable
 
@@ -52,7 +53,7 @@ class UsageError(errors.InputError):
 class _Parser(argparse.ArgumentParser):
     def __init__(self, **settings: Any) -> None:
         # An abbreviated option would change its meaning once another begins alike.
-        super().__init__(**settings, allow_abbrev=False)
+        super().__init__(**{"formatter_class": HelpFormatter} | settings, allow_abbrev=False)
 
     def error(self, message: str) -> NoReturn:
         about = _ABOUT_ARGUMENT.fullmatch(message)
@@ -133,7 +134,8 @@ def _report(error: errors.StochgeomError, *, wants_json: bool) -> int:
         kind = type(error).__name__
         detail = {"type": kind, "message": error.message, "where": error.where}
         write_json({"error": detail}, indent=None)
-    return EXIT_BAD_INPUT if isinstance(error, errors.InputError) else EXIT_FAILED
+    asked_too_much = isinstance(error, errors.InputError | errors.MissingExtraError)
+    return EXIT_BAD_INPUT if asked_too_much else EXIT_FAILED
 
 
 def _complain(text: str) -> None:

@@ -26,12 +26,15 @@ from stochgeom.io.priors import load_prior
 _EPILOG = """\
 SOURCE is a part of the catalogue (see: stochgeom parts), a file, or - for standard input. Files
 hold JSON, WKT POLYGON, or a vertex per line such as "3 2" or "3,2". Numbers are exact: 0.1 is one
-tenth. examples:
+tenth.
+
+examples:
 
   stochgeom plan house
   stochgeom plan outline.txt --cost-ratio 1/2 --certificate plan.json
   stochgeom plan --vertices "0,0 3,0 3,2 0,2" --json
-  stochgeom plan house --center-of-mass "0,2/5" --action push-grasp --gripper-error 2
+  stochgeom plan house --action push-grasp --gripper-error 2
+  stochgeom plan house --center-of-mass "0,2/5"
   stochgeom plan outline.txt --prior normal:30,12 --goal "most stable"
 """
 
@@ -44,7 +47,6 @@ def add_parser(commands: Any) -> None:
         description="Print the plan of least expected cost and the shortest plan that orients "
         "the part up to symmetry.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add_problem_options(parser)
     parser.add_argument(

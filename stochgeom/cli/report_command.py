@@ -24,10 +24,12 @@ from stochgeom.io.files import write_whole
 _EPILOG = """\
 SOURCE and the options are those of `stochgeom plan`. The page is one file that asks for nothing
 from outside and runs no script: the part, the plan at work, its tolerances, the distribution after
-each action, and the certificate, which `stochgeom verify report.html` reads out. examples:
+each action, and the certificate, which `stochgeom verify report.html` reads out.
+
+examples:
 
   stochgeom report house --steps 2 -o house.html
-  stochgeom report outline.txt --action push-grasp --cost-ratio 1/2 -o report.html
+  stochgeom report outline.txt --action push-grasp -o report.html
 """
 
 
@@ -38,7 +40,6 @@ def add_parser(commands: Any) -> None:
         help="write a plan as a page with pictures and an animation",
         description="Write the plan of least expected cost as one HTML page that needs no network.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add_problem_options(parser)
     parser.add_argument(

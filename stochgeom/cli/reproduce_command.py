@@ -22,6 +22,7 @@ _MODULES: Final = {"plot": "matplotlib", "sim": "pymunk"}
 """What an extra brings."""
 
 NEEDS_FOLDER: Final = "needs -o"
+NOT_WANTED: Final = "not drawn"
 
 
 def add_parser(commands: Any) -> None:
@@ -59,12 +60,16 @@ def run(arguments: argparse.Namespace) -> int:
     with ResultFolder(arguments.out) if arguments.out is not None else nullcontext() as folder:
         with Progress("reproducing") as progress:
             outcomes = []
+            unseen = NOT_WANTED if arguments.no_pictures else NEEDS_FOLDER
             for place, name in enumerate(names):
                 tell = _part_of(progress.show, place, len(names))
-                outcomes.append(_outcome(name, folder, tell, digits, pictures=pictures))
+                outcomes.append(
+                    _outcome(name, folder, tell, digits, unseen="" if pictures else unseen)
+                )
                 tell(1.0)
-        document = summary_document(outcomes, digits)
-        summary = summary_text(outcomes)
+        omitted = left_out(names) if arguments.all else []
+        document = summary_document(outcomes, digits, omitted)
+        summary = summary_text(outcomes, omitted)
         if folder is not None:
             _write_summary(folder, summary, document)
     if arguments.json:
@@ -86,7 +91,7 @@ def chosen_names(names: Sequence[str], *, every: bool, long: bool) -> list[str]:
         If ``--long`` stands without ``--all``.
     """
     from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
-    from stochgeom.thesis.reproductions import REPRODUCTIONS, canonical_name, place_of
+    from stochgeom.thesis.reproductions import REPRODUCTIONS, canonical_name, number_of, place_of
 
     short = [name for name, item in REPRODUCTIONS.items() if long or not item.long]
     known = {*REPRODUCTIONS, *SOURCE_FIGURES, *OPEN_FIGURES}
@@ -99,9 +104,22 @@ def chosen_names(names: Sequence[str], *, every: bool, long: bool) -> list[str]:
     for text in names:
         name = canonical_name(text)
         if name not in known:
-            raise UnknownReproductionError(f"no table or figure {text[:40]!r}; accepted: {listed}")
+            alike = [other for other in known if number_of(other) == number_of(name)]
+            meant = " or ".join(sorted(alike, key=place_of))
+            raise UnknownReproductionError(
+                f"no table or figure {text[:40]!r}; accepted: "
+                + (f"{meant}, as it seems" if meant else listed)
+            )
         found.add(name)
     return sorted(found, key=place_of)
+
+
+def left_out(names: Sequence[str]) -> list[str]:
+    """Return the long experiments that are not among the names, in the order of the source."""
+    from stochgeom.thesis.reproductions import REPRODUCTIONS, place_of
+
+    return sorted({name for name, item in REPRODUCTIONS.items() if item.long} - {*names},
+                  key=place_of)  # fmt: skip
 
 
 def _need_extras(names: Sequence[str], *, pictures: bool) -> None:
@@ -115,10 +133,8 @@ def _need_extras(names: Sequence[str], *, pictures: bool) -> None:
     for extra in sorted(needed):
         if not _is_installed(_MODULES[extra]):
             other = " (or --no-pictures)" if extra == "plot" else ""
-            raise MissingExtraError(
-                f"{_MODULES[extra]} is not installed; accepted: the extra stochgeom[{extra}] "
-                f"(pip install 'stochgeom[{extra}]'){other}"
-            )
+            what = "pictures" if extra == "plot" else "experiments on simulated robots"
+            raise MissingExtraError.of(what, _MODULES[extra], extra, instead=other)
 
 
 def _is_installed(module: str) -> bool:
@@ -138,8 +154,9 @@ def _outcome(
     tell: Callable[[float], None],
     digits: int,
     *,
-    pictures: bool,
+    unseen: str,
 ) -> Outcome:
+    """Recompute and draw; or say of pictures why they are not drawn."""
     from stochgeom.cli.reproduce_text import Outcome
     from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
     from stochgeom.thesis.reproductions import REPRODUCTIONS
@@ -150,8 +167,8 @@ def _outcome(
     picture, title = "", item.title if item else ""
     if figure is not None:
         title = title or figure.title
-        picture = "drawn" if pictures else NEEDS_FOLDER
-        if pictures and folder is not None:
+        picture = unseen or "drawn"
+        if folder is not None and not unseen:
             files.append(_draw(folder, name))
     elif name in OPEN_FIGURES:
         picture, title = "open", OPEN_FIGURES[name]

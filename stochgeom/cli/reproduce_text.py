@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from textwrap import wrap
 from typing import Any, Final, final
@@ -142,8 +143,8 @@ def _counts(verdicts: Counter[Verdict]) -> dict[str, int]:
     return {verdict.value: verdicts[verdict] for verdict in Verdict}
 
 
-def summary_text(outcomes: list[Outcome]) -> str:
-    """Return what was reproduced, explained, left open."""
+def summary_text(outcomes: Sequence[Outcome], left_out: Sequence[str] = ()) -> str:
+    """Return what was reproduced, explained, left open; and what was left out."""
     rows = [
         [
             heading(item.name),
@@ -168,6 +169,7 @@ def summary_text(outcomes: list[Outcome]) -> str:
             table(header, rows, left=[0, 4, 5]),
             "",
             f"{count(total.total(), 'printed number')}: {words}{pictures}",
+            *([f"left out without --long: {', '.join(map(heading, left_out))}"] * bool(left_out)),
         ]
     )
 
@@ -176,7 +178,9 @@ def _number(item: Outcome, verdict: Verdict) -> str:
     return str(item.verdicts[verdict]) if item.verdicts else "-"
 
 
-def summary_document(outcomes: list[Outcome], digits: int) -> dict[str, Any]:
+def summary_document(
+    outcomes: Sequence[Outcome], digits: int, left_out: Sequence[str] = ()
+) -> dict[str, Any]:
     """Return the summary and all numbers for machines."""
     total: Counter[Verdict] = Counter()
     for item in outcomes:
@@ -184,6 +188,7 @@ def summary_document(outcomes: list[Outcome], digits: int) -> dict[str, Any]:
     return {
         "schema": "stochgeom/reproduction/1",
         **_counts(total),
+        "left_out": list(left_out),
         "items": [
             {
                 "name": item.name,

@@ -17,7 +17,9 @@ from stochgeom.io.priors import load_prior
 _EPILOG = """\
 A round is a squeeze at a random angle, then moves: squeezes at chosen angles, looks at the sensor;
 then the filter accepts one orientation, which may depend on what was read. A part in any other one
-falls back. Costs are in units of one squeeze. examples:
+falls back. Costs are in units of one squeeze.
+
+examples:
 
   stochgeom sense 4gon --bits 2 --noise 0.05
   stochgeom sense house --horizon 3 --sensor-cost 1/4
@@ -33,7 +35,6 @@ def add_parser(commands: Any) -> None:
         description="Print what a jaw-diameter sensor tells about a part, and the plans of least "
         "expected cost that use it.",
         epilog=_EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("source", nargs="?", metavar="SOURCE", help="the part, as for plan")
     parser.add_argument("--vertices", metavar="LIST", help='the outline itself: "0,0 3,0 3,2"')

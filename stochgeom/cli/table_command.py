@@ -11,14 +11,27 @@ from stochgeom.cli.grasp_table_text import grasp_table_document, grasp_table_tex
 from stochgeom.cli.layout import table
 from stochgeom.cli.options import add_digits, read_digits
 from stochgeom.cli.output import write, write_json
+from stochgeom.errors import UnknownReproductionError
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
 from stochgeom.thesis.figures_4 import figure_4_5, figure_4_6
 from stochgeom.thesis.grasp_tables import table_3_1, table_c_1
+from stochgeom.thesis.reproductions import canonical_name, number_of
 from stochgeom.thesis.tables import STEPS, Cell, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
 _GRASP_TABLES = {"3.1": table_3_1, "C.1": table_c_1}
 _FIGURES = {"4.5": figure_4_5, "4.6": figure_4_6, "E.5": figure_e_5, "E.8": figure_e_8}
+_NUMBERS = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES, "7.2"})
+
+
+def _number(text: str) -> str:
+    """Return a number as it stands in the source, from any spelling that `reproduce` knows."""
+    number = number_of(canonical_name(text))
+    if number not in _NUMBERS:
+        raise UnknownReproductionError(
+            f"no table {text[:40]!r}; accepted: {', '.join(_NUMBERS)}", where="NUMBER"
+        )
+    return number
 
 
 def add_parser(commands: Any) -> None:
@@ -29,8 +42,9 @@ def add_parser(commands: Any) -> None:
         description="Print a table of Goldberg (1990), or a figure of numbers, computed and "
         "printed values side by side.",
     )
-    numbers = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES, "7.2"})
-    parser.add_argument("number", choices=numbers, metavar="NUMBER", help=", ".join(numbers))
+    parser.add_argument(
+        "number", metavar="NUMBER", help=f"{', '.join(_NUMBERS)}; or such as fig4.6"
+    )
     add_digits(parser)
     parser.add_argument("--json", action="store_true", help="print a JSON document")
     parser.set_defaults(run=run)
@@ -38,28 +52,28 @@ def add_parser(commands: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; exit code 1 if a cell differs that no erratum explains."""
-    digits = read_digits(arguments.digits)
+    digits, number = read_digits(arguments.digits), _number(arguments.number)
     cells: list[Cell] = []
-    if arguments.number == "7.2":
+    if number == "7.2":
         from stochgeom.cli.orders_text import orders_document, orders_text
         from stochgeom.thesis.sensor_orders import sensor_orders
 
         orders = sensor_orders()
         text, document = orders_text(orders, digits), orders_document(orders, digits)
-    elif arguments.number in _FIGURES:
-        evolution = _FIGURES[arguments.number]()
+    elif number in _FIGURES:
+        evolution = _FIGURES[number]()
         text = evolution_text(evolution, digits)
         document = evolution_document(evolution, digits)
         cells = list(evolution.cells)
-    elif arguments.number in _GRASP_TABLES:
-        grasps = _GRASP_TABLES[arguments.number]()
-        text = grasp_table_text(arguments.number, grasps, digits)
-        document = grasp_table_document(arguments.number, grasps, digits)
+    elif number in _GRASP_TABLES:
+        grasps = _GRASP_TABLES[number]()
+        text = grasp_table_text(number, grasps, digits)
+        document = grasp_table_document(number, grasps, digits)
         cells = [cell for row in grasps for cell in row.cells]
     else:
-        rows = _TABLES[arguments.number]()
-        text = table_text(arguments.number, rows, digits)
-        document = table_document(arguments.number, rows, digits)
+        rows = _TABLES[number]()
+        text = table_text(number, rows, digits)
+        document = table_document(number, rows, digits)
         cells = [cell for row in rows for cell in row.cells]
     if arguments.json:
         write_json(document)

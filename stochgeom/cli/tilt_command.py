@@ -14,7 +14,7 @@ def add_parser(commands: Any) -> None:
     """Register the command and its five subcommands."""
     parser = commands.add_parser(
         "tilt",
-        help="estimate a robot from trials and plan with it: a tile in a tilted tray",
+        help="estimate a robot that tilts a tray, and plan with it",
         description="Simulate a robot that tilts a tray, estimate its transition matrices from "
         "trials, plan tilts and put the plans to the test (Goldberg 1990, chapter 6 and appendix "
         "B).",

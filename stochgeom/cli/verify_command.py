@@ -20,15 +20,17 @@ examples:
 
   stochgeom verify plan.json
   stochgeom verify report.html
-  stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative --claims up-to-symmetry
-  stochgeom verify --part house --center-of-mass "0,2/5" --action push-grasp --angles "0, 72, 207"
+  stochgeom verify --part 4gon --angles "0, 71, 35, 8" --cumulative
+  stochgeom verify --part 4gon --angles "0, 71, -36, -27" --claims probability=1/2
+  stochgeom verify --part house --action push-grasp --angles "0, 72, 207"
   stochgeom verify --part rectangle --angles "0, -45" --vertex-error 1/10
 
 The checker is one file that imports nothing of the package; it can be run by itself:
 
   python certificate_checker.py plan.json
 
-It is {path}
+It is {path}.
+
 For parts over a field, such as regular polygons, it takes {field_checker} beside it.
 """
 
@@ -55,7 +57,6 @@ def add_parser(commands: Any) -> None:
         "and report what it does. Exit code 1 if a claim fails, or is not proven for parts with "
         "the vertex error.",
         epilog=_EPILOG.format(path=checker.__file__, field_checker=Path(any_checker.__file__).name),
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("file", nargs="?", metavar="FILE", help="a certificate, or a report")
     parser.add_argument("--part", metavar="SOURCE", help="what the angles are for")

@@ -31,7 +31,7 @@ TWO_PI: Final = 2 * pi
 class CallablePrior(Prior):
     """A distribution given by its density, a Python function.
 
-    Needs scipy: ``pip install "stochgeom[numeric]"``.
+    Needs scipy, which the extra ``numeric`` brings.
 
     Parameters
     ----------
@@ -187,7 +187,5 @@ def _scipy() -> tuple[Any, Any]:
         from scipy.integrate import quad
         from scipy.optimize import minimize_scalar
     except ImportError as error:
-        raise MissingExtraError(
-            "a density given as a function needs scipy; install stochgeom[numeric]"
-        ) from error
+        raise MissingExtraError.of("densities given as functions", "scipy", "numeric") from error
     return quad, minimize_scalar

@@ -101,8 +101,9 @@ class Limits:
     ) -> None:
         if node_limit < 1 or (time_limit is not None and not time_limit > 0):
             raise InputError(
-                f"a limit of {node_limit} nodes and {time_limit} seconds; "
-                "accepted: at least 1 node, more than 0 seconds"
+                f"a limit of {node_limit} nodes"
+                + ("; " if time_limit is None else f" and {time_limit} seconds; ")
+                + "accepted: at least 1 node, more than 0 seconds"
             )
         self.node_limit, self._time_limit, self._progress = node_limit, time_limit, progress
         self._start = time.monotonic()

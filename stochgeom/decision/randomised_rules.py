@@ -100,9 +100,7 @@ def _float_solution(risks: Sequence[Sequence[Any]]) -> tuple[list[float], list[f
     try:
         from scipy.optimize import linprog
     except ImportError as error:
-        raise MissingExtraError(
-            "randomised rules need scipy; install stochgeom[numeric]"
-        ) from error
+        raise MissingExtraError.of("randomised rules", "scipy", "numeric") from error
     states = range(len(risks[0]))
     table = [[float(risk[s]) for risk in risks] + [-1.0] for s in states]
     found = linprog(

@@ -94,5 +94,5 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
         reason = getattr(error, "strerror", None) or error
         raise WriteError(
             f"cannot be written: {reason}; accepted: a file in a writable folder",
-            where=os.fspath(path),
+            where=os.fspath(path) or "''",
         ) from error

@@ -8,7 +8,8 @@
 
 Coordinates are JSON numbers or text (``"1/3"``); both are read from their digits. Keys that are
 not known are passed over, for files come from elsewhere, unless they look like a misspelling of
-a known one: a centre of mass must not get lost over a letter.
+a known one: a centre of mass must not get lost over a letter. Keys that make edges arcs are
+refused: chords in the place of arcs would be another part.
 """
 
 from __future__ import annotations
@@ -43,6 +44,9 @@ SCHEMAS: Final = ("stochgeom/plan/1",)
 
 _PART_KEYS: Final = ("vertices", "name", "center_of_mass", "holes", "field")
 
+_CURVE_KEYS: Final = frozenset({"arc", "arcs", "bulge", "bulges", "curve", "curves"})
+"""With these, DXF exports and the like say that edges are no straight lines."""
+
 # From 0.7 on "vertexes", "centreOfMass" and "center_of_gravity" count as misspelt; "filename",
 # "label" and "description" do not.
 _LIKENESS: Final = 0.7
@@ -57,7 +61,7 @@ def parse_json(text: str) -> Outline:
     Raises
     ------
     FormatError
-        For broken JSON, repeated or misspelt keys, and values of another shape.
+        For broken JSON, repeated or misspelt keys, curved edges, and values of another shape.
     TooFewVerticesError
         For a ring without any vertex.
     NumberError
@@ -104,7 +108,7 @@ def _from_plan(document: _Object) -> Outline:
 
 
 def _from_part(part: _Object) -> Outline:
-    _refuse_misspellings(part)
+    _refuse_keys(part)
     if "vertices" not in part:
         keys = shown(", ".join(part)) if part else "none"
         raise FormatError(f'no key "vertices" (keys found: {keys}); {ACCEPTED}')
@@ -149,7 +153,7 @@ def _from_geojson(document: _Object) -> Outline:
             f"{kind_of(geometry.get('type'))} is not a geometry that is read; {ACCEPTED}",
             where="type",
         )
-    _refuse_misspellings(geometry)
+    _refuse_keys(geometry)
     rings = geometry.get("coordinates")
     if not isinstance(rings, list):
         _refuse_ring_list(rings, "coordinates")
@@ -162,10 +166,15 @@ def _from_geojson(document: _Object) -> Outline:
     )
 
 
-def _refuse_misspellings(part: _Object) -> None:
+def _refuse_keys(part: _Object) -> None:
     for key in part:
         if key in _PART_KEYS:
             continue
+        if key.lower() in _CURVE_KEYS:
+            raise FormatError(
+                "curved edges are not read; accepted: straight edges from vertex to vertex",
+                where=f"key {shown(key)}",
+            )
         likely = difflib.get_close_matches(key.lower(), _PART_KEYS, n=1, cutoff=_LIKENESS)
         if likely:
             raise FormatError(

@@ -38,10 +38,7 @@ def need_matplotlib() -> None:
     try:
         import matplotlib  # noqa: F401
     except ImportError:
-        raise MissingExtraError(
-            "pictures on axes need matplotlib, which is not installed; accepted: the extra "
-            "stochgeom[plot] (pip install 'stochgeom[plot]')"
-        ) from None
+        raise MissingExtraError.of("pictures on axes", "matplotlib", "plot") from None
 
 
 def axes_or_new(ax: Axes | None, size: tuple[float, float] = (6.4, 4.0)) -> Axes:

@@ -28,8 +28,10 @@ from stochgeom.plotting.analysis_pictures import (
     draw_push_grasp_analysis,
 )
 from stochgeom.plotting.axes import need_matplotlib
+from stochgeom.plotting.closure_pictures import draw_closure, draw_monotone_step
 from stochgeom.plotting.decision_pictures import draw_risks, draw_sensor_density
 from stochgeom.plotting.density_pictures import draw_beta_density
+from stochgeom.plotting.feeder_pictures import draw_feeder
 from stochgeom.plotting.function_pictures import (
     draw_diameter,
     draw_radius,
@@ -52,7 +54,7 @@ from stochgeom.plotting.stability_pictures import (
     draw_push_stability,
     draw_squeeze_stability,
 )
-from stochgeom.plotting.tilting_pictures import draw_tilts, draw_tray
+from stochgeom.plotting.tilting_pictures import draw_tilting, draw_tilts, draw_tray
 from stochgeom.plotting.tree_pictures import draw_all_plans, draw_open_loop_plans
 from stochgeom.sensing.and_or_tree import all_sensor_plans
 from stochgeom.sensing.sensing_problem import SensingProblem
@@ -72,8 +74,12 @@ Drawing = Callable[[], "Axes | str"]
 
 SQUARE: Final = ((0, 0), (1, 0), (1, 1), (0, 1))
 
-TRACED: Final = ("75", "130", "165", "220")
-"""Orientations of the rectangle in Fig. 1.1, in degrees: different ones that end alike."""
+NINE_SIDED: Final = ((0, 1), (2, 0), (3, 0), (7, 1), (8, 3), (7, 5), (5, 8), (1, 6), (0, 2))
+"""A stand-in for the part of Fig. 5.11, of which the source prints no number.
+
+Ours, not the source's, so it is no part of the catalogue: convex, without parallel edges, seven
+steps in half a turn, and five squeezes orient it up to symmetry.
+"""
 
 
 @final
@@ -103,8 +109,7 @@ def _plan(name: str) -> FeedingPlan:
 
 
 def _traces_of_the_rectangle() -> Axes:
-    """Return four traces that end alike: their orientations are within the plan's mouth."""
-    return draw_trace(_plan("rectangle"), orientations=TRACED)
+    return draw_trace(_plan("rectangle"), orientations=["20", "75", "130", "165"])
 
 
 def _two_axes() -> tuple[Axes, Axes]:
@@ -136,6 +141,12 @@ def _squeezes(name: str) -> StepFunction:
 
 def _analysis(name: str) -> Axes:
     return _first(draw_analysis(FeedingProblem(catalogue_part(name))))
+
+
+def _nine_sided_analysis() -> Axes:
+    top, *_ = draw_analysis(FeedingProblem(Part(NINE_SIDED)))
+    top.set_title("a 9-sided stand-in: the source prints no number of its part")
+    return top
 
 
 def _push_grasp_analysis(name: str) -> Axes:
@@ -211,6 +222,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("3.7", "squeeze-grasp diagram of the house, mu = 1/4",
      lambda: draw_grasp_diagram(catalogue_part("house"), "1/4")),
     ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
+    ("4.2", "a feeder that carries out the plan of the 4gon", lambda: draw_feeder(_plan("4gon"))),
     ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),
     ("4.4", "diameter and squeeze function of the 4gon", _diameter_and_squeeze),
     ("4.5", "two squeezes of the house", lambda: draw_trace(_plan("house"))),
@@ -220,9 +232,15 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("5.3", "its widest step", lambda: draw_phase_one(_squeezes("rectangle"), 1)),
     ("5.4", "the widest arc with a narrower image",
      lambda: draw_phase_one(_squeezes("rectangle"), 2)),
+    ("5.5", "the closure of a set that the plan of the 4gon collapses",
+     lambda: draw_closure(_plan("4gon"))),
+    ("5.6", "its parts keep their order under a step", lambda: draw_monotone_step(_plan("4gon"))),
     ("5.7", "a plan as a funnel", lambda: draw_funnel(_plan("4gon"))),
     ("5.9", "geometric analysis of the 4gon", partial(_analysis, "4gon")),
     ("5.10", "geometric analysis of the 5gon", partial(_analysis, "5gon")),
+    ("5.11", "geometric analysis of a 9-sided stand-in, the source's part being lost",
+     _nine_sided_analysis),
+    ("6.1", "a robot tilts a tray, from the side", draw_tilting),
     ("6.2", "the twelve states of a tile in a tray", draw_tray),
     ("6.3", "outcomes of tilt 1 from state 7", lambda: draw_tilts(figure_6_4_model(), 7, [1])),
     ("7.1", "a plan of one look and one squeeze, as a tree", _sensor_tree),
@@ -253,15 +271,7 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("G.4", "Beta density, alpha = 4, 1", lambda: draw_beta_density(4, 1)),
 )  # fmt: skip
 
-OPEN_FIGURES: Final = MappingProxyType(
-    {
-        "fig4.2": "a feeder with conveyor belts: a schematic, nothing is computed",
-        "fig5.5": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.6": "a sketch for the proof of Lemma 5.2: no drawing function",
-        "fig5.11": "a 9-sided part of which no number is printed, so that it cannot be rebuilt",
-        "fig6.1": "side views of a robot that tilts a tray: no drawing function",
-    }
-)
+OPEN_FIGURES: Final[Mapping[str, str]] = MappingProxyType({})
 """Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""
 
 SOURCE_FIGURES: Final[Mapping[str, SourceFigure]] = MappingProxyType(

@@ -1,4 +1,4 @@
-"""The tray and tilts on matplotlib `Axes` (thesis Figs. 6.2 and 6.3); needs the extra ``plot``."""
+"""The tray and tilts on matplotlib `Axes` (thesis Figs. 6.1 to 6.3); needs the extra ``plot``."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from stochgeom.plotting.axes import draw_scene, need_matplotlib
+from stochgeom.plotting.tilting_scenes import tilting_scene
 from stochgeom.plotting.tray_scenes import tilt_plan_scene, tray_scene
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.tray import TraySetup
@@ -81,3 +82,32 @@ def draw_tilts(
     need_matplotlib()
     sizes = TraySetup() if setup is None else setup
     return draw_scene(tilt_plan_scene(model, start, actions, sizes), ax, inches=_INCHES)
+
+
+def draw_tilting(setup: TraySetup | None = None, ax: Axes | None = None) -> Axes:
+    """Draw three side views of the tray: level, tilted, level again (thesis Fig. 6.1).
+
+    The tray is tilted by ``setup.tilt``; the tile slides down to the low wall, or stays where it is
+    if the slope is not above ``setup.support_friction``. Arm, walls and thickness are a schematic.
+
+    Parameters
+    ----------
+    setup : TraySetup, optional
+        Sizes of tray and tile in millimetres, the tilt in degrees; default: ``TraySetup()``.
+    ax : Axes, optional
+        Where; default: on a new figure.
+
+    Raises
+    ------
+    MissingExtraError
+        If matplotlib is not installed.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> ax = draw_tilting(ax=Figure().subplots())
+    >>> [text.get_text() for text in ax.texts][:3]
+    ['before', 'tilted by 25°', 'after']
+    """
+    need_matplotlib()
+    return draw_scene(tilting_scene(TraySetup() if setup is None else setup), ax, inches=_INCHES)

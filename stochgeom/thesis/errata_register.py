@@ -5,6 +5,7 @@ Order: tables, figures, then equations, theorems and prose, each by place in the
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, final
@@ -80,6 +81,7 @@ def _numbered() -> tuple[ErratumEntry, ...]:
         (statements.THEOREM_4_1, planning.bound_of_theorem_4_1),
         (statements.FIGURE_5_1, planning.first_step_of_figure_5_1),
         (statements.EQUATION_5_3, planning.angles_of_equation_5_3),
+        (statements.CLOSURE, planning.closure_of_lemma_5_1),
         (statements.FIGURE_5_8, planning.cost_in_figure_5_8),
         (statements.THEOREM_5_4, planning.time_of_phase_one),
         (statements.CONJECTURE_5_4_1, planning.length_of_plans),
@@ -126,7 +128,7 @@ def find_errata(query: str | None = None) -> tuple[ErratumEntry, ...]:
     if query is None:
         return ERRATA
     text = query.strip()
-    if text.isascii() and text.isdigit() and len(text) <= MOST_DIGITS:
+    if re.fullmatch(rf"[+-]?[0-9]{{1,{MOST_DIGITS}}}", text):
         found = tuple(entry for entry in ERRATA if entry.number == int(text))
     else:
         found = tuple(entry for entry in ERRATA if text and text.casefold() in _searched(entry))

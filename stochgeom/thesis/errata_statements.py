@@ -50,6 +50,15 @@ FIGURE_5_1: Final = Erratum(
     "loop gives them plans of two steps, against Cor. 5.1.1",
 )
 
+CLOSURE: Final = Erratum(
+    "Def. 5.3 and Lemma 5.1, for push-grasps (5.10, App. E)",
+    "a plan that collapses a set collapses the smallest contiguous set that holds it",
+    "of the contiguous sets that hold it the plan collapses one, not always the smallest",
+    "three push-grasps collapse 271 degrees of the 4gon; its two ends are nearer to each other the "
+    "other way round, where orientations end elsewhere; squeezes never collapse more than half a "
+    "turn, so that the lemma holds for them as printed, and the proof, on lifted angles, for all",
+)
+
 FIGURE_5_8: Final = Erratum(
     "Fig. 5.8 and Lemma 5.4",
     "(i + 1)",

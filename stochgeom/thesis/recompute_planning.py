@@ -9,6 +9,7 @@ from gmpy2 import mpq
 from stochgeom.decision.piecewise_prior import PiecewisePrior
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.directions import nominal_angle
 from stochgeom.feeding.adversarial import FAMILIES
 from stochgeom.feeding.preimages import preimages
 from stochgeom.feeding.problem import FeedingProblem
@@ -105,6 +106,48 @@ def first_step_of_figure_5_1() -> Facts:
             )
         )
     return tuple(facts)
+
+
+def closure_of_lemma_5_1() -> Facts:
+    """Show that push-grasps may collapse two arcs, and not the smallest contiguous set of both."""
+    problem = FeedingProblem(catalogue_part("4gon"), "push-grasp")
+    plan = problem.plan_of(len(list(problem.preimages)) - 1)
+    mouth, width = plan.mouth, Angle.from_degrees(10)
+    ends = (Arc(mouth.start, width), Arc(mouth.end - width, width))
+    finals = [plan.execute_arc(arc)[-1] for arc in ends]
+    inside, outside = mouth.width - 2 * width, FULL_TURN - mouth.width
+    between = nominal_angle(mouth.end, mouth.start + FULL_TURN)
+    squeezed = [
+        FeedingProblem(catalogue_part(name)).geometric_plan().mouth.width
+        for name in catalogue_names()
+    ]
+    return (
+        Fact(
+            f"degrees of the 4gon that {plan.steps} push-grasps collapse",
+            mouth.width.degrees(2),
+            not plan.execute_arc()[-1].width and mouth.width > HALF_TURN,
+        ),
+        Fact(
+            "  both ends of that arc, 10 degrees each, end at",
+            ", ".join(final.start.reduced().degrees(2) for final in finals),
+            finals[0] == finals[1] and not finals[0].width,
+        ),
+        Fact(
+            "  the gaps between them, inside and outside of it: the smaller one is outside",
+            f"{inside.degrees(2)}, {outside.degrees(2)}",
+            outside < inside,
+        ),
+        Fact(
+            f"  {between.reduced().degrees(2)} degrees, in that gap, ends at",
+            plan.execute(between)[-1].reduced().degrees(2),
+            plan.execute(between)[-1].reduced() != finals[0].start.reduced(),
+        ),
+        Fact(
+            "degrees that squeezes collapse, at most, of the eight parts",
+            max(squeezed).degrees(2),
+            max(squeezed) <= HALF_TURN,
+        ),
+    )
 
 
 def cost_in_figure_5_8() -> Facts:

@@ -58,16 +58,27 @@ def canonical_name(text: str) -> str:
 
     Examples
     --------
-    >>> canonical_name("Table 4.1"), canonical_name("Fig. e.5"), canonical_name("c.1")
+    >>> canonical_name("Table 4.1"), canonical_name("fig-e.5"), canonical_name("c.1")
     ('4.1', 'figE.5', 'C.1')
     """
     squeezed = re.sub(r"\s+", "", text).casefold()
-    match = re.fullmatch(r"(table|tab|figure|fig|section|sec)?\.?([0-9a-z][0-9a-z.]*)", squeezed)
+    match = re.fullmatch(r"(table|tab|figure|fig|section|sec)?[.-]?([0-9a-z][0-9a-z.]*)", squeezed)
     if match is None:
         return text
     kind, number = match.groups()
     prefix = {"tab": "", "fig": "fig", "sec": "sec"}.get((kind or "tab")[:3], "")
     return prefix + number.upper()
+
+
+def number_of(name: str) -> str:
+    """Return the number in a name.
+
+    Examples
+    --------
+    >>> number_of("fig4.6"), number_of("4.1")
+    ('4.6', '4.1')
+    """
+    return name.removeprefix("fig").removeprefix("sec")
 
 
 def place_of(name: str) -> tuple[int, int, int, str]:
@@ -78,8 +89,7 @@ def place_of(name: str) -> tuple[int, int, int, str]:
     >>> sorted(["figE.5", "C.1", "fig4.10", "fig4.9", "4.1"], key=place_of)
     ['4.1', 'fig4.9', 'fig4.10', 'C.1', 'figE.5']
     """
-    number = name.removeprefix("fig").removeprefix("sec")
-    chapter, _, rest = number.partition(".")
+    chapter, _, rest = number_of(name).partition(".")
     appendix = not chapter.isdigit()
     order = 100 + ord(chapter[0]) if appendix else int(chapter)
     kind = name[:3] if name[:3] in ("fig", "sec") else ""

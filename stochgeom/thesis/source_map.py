@@ -71,7 +71,7 @@ _HEAD: Final = """\
 # Map of the thesis
 
 Every numbered thing of Ken Goldberg's *Stochastic Plans for Robotic Manipulation* (1990): what it
-says, the public object that does it, the tests that hold it. Of {rows} rows {open} are **open**.
+says, the public object that does it, the tests that hold it. Of {rows} rows {open}.
 `stochgeom reproduce` recomputes the tables and figures, `stochgeom errata` lists where the source
 is wrong.
 
@@ -82,7 +82,11 @@ def map_markdown(rows: Iterable[MapRow]) -> str:
     """Return the map as a Markdown document."""
     listed = list(rows)
     missing = sum(row.open is not None for row in listed)
-    lines = [_HEAD.format(rows=len(listed), open=missing)]
+    lines = [
+        _HEAD.format(
+            rows=len(listed), open=f"{missing} are **open**" if missing else "none is open"
+        )
+    ]
     for chapter, group in groupby(listed, key=lambda row: row.chapter):
         lines += ["", f"## {chapter}", "", "| source | what it says | in code | tests |"]
         lines += ["|---|---|---|---|", *map(_line, group)]

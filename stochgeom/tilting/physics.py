@@ -293,7 +293,7 @@ def load_engine() -> Any:
     try:
         import pymunk
     except ImportError as error:
-        raise MissingExtraError("simulated trials need pymunk; install stochgeom[sim]") from error
+        raise MissingExtraError.of("simulated trials", "pymunk", "sim") from error
     return pymunk
 
 

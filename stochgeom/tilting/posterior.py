@@ -199,7 +199,5 @@ def _beta() -> Any:
     try:
         from scipy.stats import beta
     except ImportError as error:
-        raise MissingExtraError(
-            "quantiles of the posterior need scipy; install stochgeom[numeric]"
-        ) from error
+        raise MissingExtraError.of("quantiles of the posterior", "scipy", "numeric") from error
     return beta

@@ -289,7 +289,12 @@ def test_options(capsys, options, kind, where, words):
         (["\udcff"], "UsageError", "COMMAND", ["(choose from"]),
         (["--frobnicate"], "UsageError", None, ["COMMAND; see stochgeom --help"]),
         (["table"], "UsageError", None, ["required: NUMBER; see stochgeom table --help"]),
-        (["table", "9"], "UsageError", "NUMBER", ["'9' (choose from", "4.1"]),
+        (
+            ["table", "9"],
+            "UnknownReproductionError",
+            "NUMBER",
+            ["no table '9'", "3.1, 4.1"],
+        ),
         (["table", "4.1", "--digits", "x"], "InputError", "--digits", ["'x' decimals; accepted: "]),
         (["table", "4.1", "--digits", "-1"], "InputError", "--digits", ["'-1' decimals; accepted"]),
         (["table", "4.1", "4.1"], "UsageError", None, ["unrecognized arguments: 4.1"]),

@@ -242,6 +242,10 @@ def test_time_limits(monkeypatch):
 def test_limits_that_are_none():
     with pytest.raises(InputError, match="accepted: at least 1 node"):
         Limits(0)
+    with pytest.raises(InputError, match=r"^a limit of 0 nodes; accepted"):
+        Limits(0)
+    with pytest.raises(InputError, match=r"^a limit of 1 nodes and 0 seconds; accepted"):
+        Limits(1, 0)
 
 
 def test_other_questions():

@@ -38,7 +38,7 @@ def test_a_benchmark_states_the_growth_it_expects(name):
 
 @each_benchmark
 def test_the_figures_of_a_benchmark_stand_beside_its_command(name):
-    assert f"python -m benchmarks {name}\n" in (FOLDER / "README.md").read_text(encoding="utf-8")
+    assert f"make bench ARGS={name}\n" in (FOLDER / "README.md").read_text(encoding="utf-8")
 
 
 def test_every_benchmark_is_listed():

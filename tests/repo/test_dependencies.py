@@ -55,6 +55,15 @@ def test_imports_are_declared(path):
     assert violations(path.read_text(encoding="utf-8"), dotted_name(path)) == []
 
 
+def test_an_extra_brings_only_what_is_imported():
+    imported = {
+        item.target.split(".")[0]
+        for path in MODULES
+        for item in imports_of(path.read_text(encoding="utf-8"), dotted_name(path))
+    }
+    assert imported >= EXTRAS
+
+
 @pytest.mark.parametrize(
     "source",
     [

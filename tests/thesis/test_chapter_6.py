@@ -22,7 +22,6 @@ from stochgeom.thesis.chapter_6 import (
 from stochgeom.tilting.beta_density import BetaDensity
 from stochgeom.tilting.counts import TransitionCounts
 from stochgeom.tilting.estimation import TransitionModel
-from stochgeom.tilting.experiment import EXECUTIONS
 from stochgeom.tilting.robot import SimulatedRobot
 
 RECOVERED = {
@@ -120,41 +119,6 @@ def test_the_twelve_states_are_numbered_as_in_the_source():
         assert overlap > 0.6
 
 
-PRINTED_6_1 = """\
-1 3 (4) .98
-1 2 (9 7 3) .97
-1 4 (5) .97
-1 5 (6 2 7) .98
-1 6 (4 7 4) .98
-1 7 (9 6) .97
-1 9 (10 10 7) .97
-1 8 (9 7) .98
-1 10 (9) .99
-1 11 (9 1) .98
-1 12 (10 2 10) .97
-8 1 (5 11 2) .62
-2 1 (10 2 3) .67
-2 3 (11 4) .98"""
-
-
-def test_table_6_1_literally():
-    rows = [
-        f"{plan.start} {plan.goal} ({' '.join(map(str, plan.actions))}) {plan.estimated}"
-        for plan in PRINTED_PLANS
-    ]
-    assert rows == PRINTED_6_1.splitlines()
-
-
-def test_table_6_2_literally():
-    measured = {
-        (plan.start, plan.goal): (plan.actions, plan.estimated, plan.measured)
-        for plan in PRINTED_PLANS
-        if plan.measured is not None
-    }
-    assert measured == {(2, 3): ((11, 4), ".98", ".99"), (2, 1): ((10, 2, 3), ".67", ".85")}
-    assert EXECUTIONS == 400
-
-
 def test_lengths_of_plans_can_be_as_printed():
     """2.4 tilts and a deviation of .75 over 132 instances, of one to three tilts each."""
     assert (PRINTED_MEAN_TILTS, PRINTED_SD_TILTS) == ("2.4", "0.75")
@@ -169,20 +133,6 @@ def test_lengths_of_plans_can_be_as_printed():
             if rational_decimal(mean, 1) == "2.4" and mpq("0.555025") <= square < mpq("0.570025"):
                 possible.append((one, two, three))
     assert possible
-
-
-def test_one_tilt_estimates_are_those_of_rows_that_always_end_alike():
-    """Eq. 6.13 for n of n trials: .97 asks for 4 of them, .98 for 5 to 7, .99 for more."""
-    trials = {}
-    for n in range(1, 13):
-        row = TransitionCounts([[[n if i == j == 0 else 0 for j in range(12)] for i in range(12)]])
-        trials.setdefault(
-            rational_decimal(TransitionModel(row).probability(1, 1, 1), 2), []
-        ).append(n)
-    assert (trials["0.97"], trials["0.98"], trials["0.99"]) == ([4], [5, 6, 7], [8, 9, 10, 11, 12])
-    for plan in PRINTED_PLANS:
-        if len(plan.actions) == 1:
-            assert trials[f"0{plan.estimated}"]
 
 
 def test_printed_plans_work_on_the_simulated_robot():

@@ -92,6 +92,7 @@ class TestRecomputationsCanFail:
             (grasps, grasps.limit_of_the_bound),
             (planning, planning.cost_in_figure_5_8),
             (planning, planning.angles_of_equation_5_3),
+            (planning, planning.closure_of_lemma_5_1),
         ],
     )
     def test_with_another_part(self, monkeypatch, module, recompute):
@@ -113,9 +114,12 @@ class TestFinding:
         assert [entry.number for entry in find_errata("3")] == [3]
         assert [entry.erratum.where for entry in find_errata("eq. 7.5")] == ["Eq. 7.5"]
         assert find_errata(None) == ERRATA
+        assert [entry.number for entry in find_errata(" +3 ")] == [3]
         assert len(find_errata("table 4.1")) >= 2
 
-    @pytest.mark.parametrize("query", ["0", "999", "99999999999", "", "  ", "no such text", "²"])
+    @pytest.mark.parametrize(
+        "query", ["0", "999", "-1", "99999999999", "", "  ", "no such text", "²"]
+    )
     def test_none(self, query):
         with pytest.raises(
             UnknownErratumError, match=f"accepted: a number from 1 to {len(ERRATA)}"

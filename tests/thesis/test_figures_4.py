@@ -14,7 +14,6 @@ from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.execution import composite
 from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
 from stochgeom.geometry.part import Part
-from stochgeom.plotting.source_figures import SOURCE_FIGURES, TRACED
 from stochgeom.thesis.parts import catalogue_part
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import directions, fractions, points, rational_points
@@ -44,31 +43,6 @@ def turned_copies(transfer, orientations):
 
 def rotations(row):
     return [row[k:] + row[:k] for k in range(len(row))]
-
-
-class TestFigures11And41:
-    """The rectangle: four traces of one plan, of two actions, that end alike."""
-
-    plan = FeedingProblem(catalogue_part("rectangle")).geometric_plan()
-    starts = tuple(map(Angle.from_degrees, TRACED))
-
-    def test_four_orientations_end_in_one(self):
-        assert len(set(self.starts)) == 4
-        traces = [self.plan.execute(theta) for theta in self.starts]
-        assert self.plan.steps == 2
-        assert {trace[-1].reduced() for trace in traces} == {self.plan.final_orientation.reduced()}
-        assert len({trace[1].reduced() for trace in traces}) == 2  # one action is not enough
-
-    def test_so_the_picture_has_it(self):
-        pytest.importorskip("matplotlib")
-        for name in ("fig1.1", "fig4.1"):
-            texts = [text.get_text() for text in SOURCE_FIGURES[name].draw().texts]
-            assert texts.count("180.0°") >= 4
-            assert "0.0°" not in texts
-
-    def test_outside_of_the_mouth_the_part_may_lie_the_other_way_round(self):
-        other = self.plan.execute(Angle.from_degrees(20))[-1].reduced()
-        assert other == (self.plan.final_orientation + HALF_TURN).reduced()
 
 
 class TestFigure45:

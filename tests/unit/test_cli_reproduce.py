@@ -12,9 +12,10 @@ from gmpy2 import mpq
 
 import stochgeom.thesis.reproductions as reproductions
 from stochgeom.cli.main import main
-from stochgeom.cli.reproduce_command import chosen_names, file_stem
+from stochgeom.cli.reproduce_command import chosen_names, file_stem, left_out
 from stochgeom.cli.reproduce_files import ResultFolder
 from stochgeom.errors import UnknownReproductionError, WriteError
+from stochgeom.plotting import source_figures
 from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
 from stochgeom.thesis.number_tables import ExactNumber, NumberTable, Verdict, verdict_of
 from stochgeom.thesis.random_parts import compared_parts, searched_parts
@@ -90,6 +91,8 @@ class TestNames:
             ("FIGURE 4.6", "fig4.6"),
             ("section 5.9", "sec5.9"),
             ("c.1", "C.1"),
+            ("table-4.1", "4.1"),
+            ("fig-E.5", "figE.5"),
             ("?", "?"),
         ],
     )
@@ -118,6 +121,20 @@ class TestNames:
             chosen_names(names, every=False, long=False)
         assert all(name in str(caught.value) for name in ("4.1", "fig4.6", "sec4.8", "figC.1"))
 
+    @pytest.mark.parametrize(
+        ("text", "meant"),
+        [
+            ("4.6", "fig4.6"),
+            ("7.2", "fig7.2 or sec7.2"),
+            ("sec4.1", "4.1 or fig4.1"),
+            ("fig3.1x", None),
+        ],
+    )
+    def test_a_number_alone_names_what_has_it(self, text, meant):
+        accepted = "accepted: .*3.1, fig3.1" if meant is None else f"accepted: {meant}, as it seems"
+        with pytest.raises(UnknownReproductionError, match=accepted):
+            chosen_names([text], every=False, long=False)
+
 
 class TestOutput:
     def test_a_table(self, capsys):
@@ -126,12 +143,27 @@ class TestOutput:
         assert "10.5748 [16.0](1)" in shown
         assert "32 printed numbers: 30 reproduced, 2 explained, 0 open" in shown
 
-    def test_a_document(self, capsys):
-        assert main(["reproduce", "4.1", "fig4.2", "--json", "--digits", "2"]) == 0
+    def test_what_is_left_out_is_told(self, capsys, monkeypatch):
+        monkeypatch.setattr(
+            "stochgeom.cli.reproduce_command.chosen_names", lambda *_, **__: ["4.1"]
+        )
+        assert main(["reproduce", "--all"]) == 0
+        shown = capsys.readouterr().out
+        assert (
+            "left out without --long: Section 4.8, Section 5.9, Table 6.1, Section B.2\n" in shown
+        )
+        assert left_out(["sec4.8", "4.1"]) == ["sec5.9", "6.1", "secB.2"]
+        assert main(["reproduce", "4.1"]) == 0
+        assert "left out" not in capsys.readouterr().out
+
+    def test_a_document(self, capsys, monkeypatch):
+        monkeypatch.setattr(source_figures, "OPEN_FIGURES", {"fig4.7": "not drawn yet"})
+        assert main(["reproduce", "4.1", "fig4.7", "--json", "--digits", "2"]) == 0
         document = json.loads(capsys.readouterr().out)
         assert (document["reproduced"], document["explained"], document["open"]) == (30, 2, 0)
         table, figure = document["items"]
-        assert (figure["name"], figure["picture"], figure["numbers"]) == ("fig4.2", "open", None)
+        assert (figure["name"], figure["picture"], figure["numbers"]) == ("fig4.7", "open", None)
+        assert figure["title"] == "not drawn yet"
         wrong = [n for n in table["numbers"]["numbers"] if n["verdict"] == "explained"]
         assert [(n["row"], n["column"], n["computed"]) for n in wrong] == [
             ("4gon", "3-step", "10.57"),
@@ -171,6 +203,23 @@ class TestOutput:
             contents.append({p.name: p.read_bytes() for p in (tmp_path / name).iterdir()})
         assert contents[0] == contents[1]
         assert {"fig-5.7.svg", "fig-G.1.svg", "fig-G.1.csv"} <= {*contents[0]}
+
+    @pytest.mark.parametrize(
+        ("missing", "told"),
+        [({}, "; 1 picture drawn\n"), ({"fig4.7": "not yet"}, "; 1 picture drawn, 1 open\n")],
+    )
+    def test_open_figures_are_counted_if_there_are_any(
+        self, missing, told, tmp_path, capsys, monkeypatch
+    ):
+        pytest.importorskip("matplotlib")
+        monkeypatch.setattr(source_figures, "OPEN_FIGURES", missing)
+        every = {*chosen_names([], every=True, long=False)}
+        assert every == {*QUICK, *SOURCE_FIGURES, *missing}
+        assert main(["reproduce", "figA.1", *missing, "-o", str(tmp_path)]) == 0
+        assert capsys.readouterr().out.endswith(told)
+        assert entries(tmp_path) == ["fig-A.1.svg", "summary.json", "summary.txt"]
+        with pytest.raises(UnknownReproductionError, match=r"'fig4\.99'; accepted: fig1\.1"):
+            chosen_names(["fig4.99"], every=False, long=False)
 
     @pytest.mark.parametrize("name", SOURCE_FIGURES)
     def test_a_picture(self, name):
@@ -250,6 +299,6 @@ class TestBadInput:
     ):
         monkeypatch.chdir(tmp_path)
         monkeypatch.setitem(sys.modules, module, None)
-        assert main(["reproduce", *arguments]) == 1
+        assert main(["reproduce", *arguments]) == 2
         assert f"stochgeom[{extra}]" in capsys.readouterr().err
         assert entries(tmp_path) == []
