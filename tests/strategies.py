@@ -623,3 +623,17 @@ def tilt_instances(draw: st.DrawFn) -> tuple[TransitionModel, int, int]:
     model = draw(transition_models())
     state = st.integers(1, model.counts.states)
     return model, draw(state), draw(state)
+
+
+@st.composite
+def long_ways(draw: st.DrawFn) -> tuple[TransitionModel, int, int]:
+    """Four states and tilts that lead from each to nearly one other: the best paths are long."""
+    counts = []
+    for _ in range(draw(st.integers(1, 2))):
+        targets = draw(st.permutations(range(4)))
+        trials = draw(st.lists(st.integers(1, 9), min_size=4, max_size=4))
+        counts.append(
+            [[n * (j == to) for j in range(4)] for to, n in zip(targets, trials, strict=True)]
+        )
+    model = TransitionModel(TransitionCounts(counts), draw(st.sampled_from(["1/100", "1/4"])))
+    return model, draw(st.integers(1, 4)), draw(st.integers(1, 4))

@@ -7,9 +7,10 @@ turned into it. The widths h_i grow strictly until a period is reached (thesis T
 plan of i steps collapses a wider set (Thm 5.1).
 
 The widest arc begins at a break: moving its start left to one leaves the image as it is. So each
-stage compares one arc for each break of a period, in O(m) after the shadows are made: for step i
-the last step k with v_k < v_i + h_{i-1}, giving the arc [b_i, b_{k+1}). Of equally wide arcs the
-one of narrowest image wins (the largest tolerance), then the one of smallest start.
+stage compares one arc for each break of a period: for step i the last step k with v_k < v_i +
+h_{i-1}, giving the arc [b_i, b_{k+1}). Of equally wide arcs the one of narrowest image wins (the
+largest tolerance), then the one of smallest start. Each k is found by bisection, so that a stage
+takes O(m log m) after the shadows are made, where two pointers would take O(m) (Thm 5.4).
 
 The source tests h_i = T from the second stage on; it holds at the first for squares, right and
 obtuse triangles, so it is tested from the first stage.
@@ -60,7 +61,7 @@ class Preimage:
         Numbers of the first and the last step of the arc: it runs from break `first` to break
         `last` + 1, its image from value `first` to value `last`.
     ties : int
-        How many of the arcs compared are as wide.
+        How many of the arcs compared are as wide; one is compared for each break of a period.
     """
 
     transfer: StepFunction = field(repr=False)
@@ -92,11 +93,6 @@ class Preimage:
     def is_period(self) -> bool:
         """Whether the arc is a period wide: breaks increase strictly, so the step numbers tell."""
         return self.last + 1 == self.first + len(self.transfer)
-
-    @property
-    def competitors(self) -> int:
-        """How many maximal arcs were compared: one for each break of a period."""
-        return len(self.transfer)
 
     @property
     def width(self) -> Angle:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import accumulate
+import sys
+from itertools import accumulate, pairwise
 
-from hypothesis import given
+import pytest
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from stochgeom.exact.angles import ZERO
@@ -164,6 +166,71 @@ def test_no_interval_collapses_sooner(automaton):
                 word = table.word(first, count)
                 assert len(word) == length
                 assert len(automaton.image(word, states)) == 1
+
+
+# --- 5.2: time -----------------------------------------------------------------------------------
+
+
+def cerny(n, copies=1):
+    """Return Cerny's automaton with each of its two maps so many times: the longest words."""
+    turn = tuple((q + 1) % n for q in range(n))
+    return Automaton((turn, (1 % n, *range(1, n))) * copies)
+
+
+def work(plan, automaton):
+    """Return how many lines of the planner's module are carried out, loops counted each time."""
+    file, lines = plan.__code__.co_filename, [0]
+
+    def trace(frame, event, _):
+        if frame.f_code.co_filename != file:
+            return None
+        lines[0] += event == "line"
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        plan(automaton)
+    finally:
+        sys.settrace(before)
+    return lines[0]
+
+
+@given(monotone_automata())
+@settings(max_examples=100)
+def test_eppstein_does_no_more_than_k_n_squared(automaton):
+    """Refuted by more than some steps for each map and interval of states."""
+    k, n = automaton.letters, automaton.states
+    assert work(eppstein, automaton) <= 40 + 20 * k * (n + 1) ** 2
+
+
+@given(
+    st.integers(2, 8).flatmap(lambda n: st.lists(st.permutations(range(n)), min_size=1, max_size=3))
+)
+@settings(max_examples=100)
+def test_natarajan_looks_at_a_pair_once_for_each_map(rows):
+    """Where nothing merges, its one search sees all pairs that can be reached: O(k n^2) of n - 1.
+
+    Refuted by more than some steps for each of them and each map. (Words are applied elsewhere, by
+    calls that are counted once; k n^4 in all, says the source.)
+    """
+    automaton = Automaton(tuple(map(tuple, rows)))
+    pairs = len(natarajan(automaton).closure)
+    assert pairs <= automaton.states * (automaton.states - 1) // 2
+    assert work(natarajan, automaton) <= 20 + pairs * (3 + 8 * automaton.letters)
+
+
+@pytest.mark.parametrize(("plan", "power"), [(eppstein, 2), (natarajan, 3)])
+def test_work_grows_as_the_source_says_or_less(plan, power):
+    """By doubling the states, and by doubling the maps, where reset words are longest.
+
+    Refuted by more than 2^power times the work, or more than twice: room is left for lower terms.
+    """
+    counts = [work(plan, cerny(n)) for n in (6, 12, 24, 48)[: 6 - power]]
+    for one, other in pairwise(counts):
+        assert other <= 1.1 * 2**power * one
+    assert counts[-1] > 3 * counts[-2]  # no less than n^2, which both can take
+    assert work(plan, cerny(12, copies=2)) <= 2 * work(plan, cerny(12))
 
 
 @given(monotone_automata())

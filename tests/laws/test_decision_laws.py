@@ -152,6 +152,22 @@ def test_a_quantile_of_rounds_is_the_first_that_is_enough(p, share):
 
 
 @FEW
+@given(st.fractions(Fraction(1, 99), 1, max_denominator=99), st.integers(1, 30))
+def test_section_2_3_the_mean_of_rounds(p, n):
+    """Some rounds added up, and those after them, of which each success is n rounds late.
+
+    Refuted by a mean, or a variance, that is not that of this sum; both are determined by it.
+    """
+    rounds, still = Rounds(mpq(p)), (1 - mpq(p)) ** n
+    chances = [rounds.probability_of(k) for k in range(1, n + 1)]
+    assert chances == [mpq(p) * (1 - mpq(p)) ** (k - 1) for k in range(1, n + 1)]
+    assert sum(chances) == rounds.probability_within(n) == 1 - still
+    seen = sum(k * chance for k, chance in enumerate(chances, 1))
+    assert rounds.mean == seen + still * (n + rounds.mean)
+    assert rounds.mean == 1 / mpq(p)
+
+
+@FEW
 @given(sizes.flatmap(lambda n: st.tuples(distributions(n), st.just(n))))
 def test_theorem_3_1_on_cyclic_groups(case):
     """A uniform X makes Y - X uniform whatever Y is, and so does a uniform Y; only uniform ones."""

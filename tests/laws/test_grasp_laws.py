@@ -9,13 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from stochgeom.decision.priors import uniform_prior
-from stochgeom.exact.angles import HALF_TURN, Angle
+from stochgeom.exact.angles import FULL_TURN, HALF_TURN, Angle
 from stochgeom.exact.cells import CellSet
+from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.grasping.friction_bounds import GuaranteedBound
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.pushing_model import mass_after_push, pushing_bound, pushing_bounds
 from stochgeom.grasping.pushing_over_friction import PushingBound
+from stochgeom.grasping.regular import regular_bound
 from stochgeom.transfer.push import push_function
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import (
@@ -165,19 +167,85 @@ def test_a_mirror_image_has_mirrored_sets(part, mu):
     assert mirrored.squeeze.wedged_if_strict == diagram.squeeze.wedged_if_strict.reflect()
 
 
+HAIR = Angle(0, (10**20, 1))
+"""About 10**-20 radians."""
+
+
 @given(diagrams)
 @settings(max_examples=FEW)
 def test_the_largest_tolerance_is_borne_and_no_larger_one(diagram):
+    """Eq. 3.7 by the map itself: what the orientations at the ends, and a hair beyond, may become.
+
+    Refuted by an end that is said to be borne and may wedge, by a larger error that may not, or by
+    another interval that bears more.
+    """
     found = diagram.largest_tolerances()
     assert bool(found) == bool(diagram.guaranteed)
-    widths = [item.width for item in diagram.guaranteed]
+
+    def ends_stable(theta):
+        return diagram.image(theta) <= diagram.stable_set
+
     for best in found:
-        assert best.margin.doubled == max(widths)
-        assert best.attained == best.interval.is_closed
+        low, high = best.interval.start, best.interval.end
+        assert best.margin.doubled == high - low
+        assert best.orientation.doubled % FULL_TURN == (low + high) % FULL_TURN
+        if diagram.guaranteed.is_whole:
+            assert ends_stable(low)
+            continue
+        assert best.attained == (ends_stable(low) and ends_stable(high))
+        assert not ends_stable(low - HAIR)
+        assert not ends_stable(high + HAIR)
+        if high - low > HAIR + HAIR:
+            assert ends_stable(low + HAIR)
+            assert ends_stable(high - HAIR)
     if found and not diagram.guaranteed.is_whole:
-        third = Angle(0, (3, 1))
-        wider = diagram.guaranteed.shrunk(found[0].margin.nearby + third)
-        assert not wider
+        largest = max(item.width for item in diagram.guaranteed)
+        assert found[0].margin.doubled == largest
+        same = [item for item in diagram.guaranteed if item.width == largest]
+        assert len(found) == len(same)
+
+
+@given(diagrams)
+@settings(max_examples=FEW)
+def test_an_error_a_hair_larger_is_not_borne(diagram):
+    """Where the margin is an exact angle; refuted by a grasp that bears more."""
+    for best in diagram.largest_tolerances()[:1]:
+        margin = best.margin.angle
+        if margin is not None and margin < HALF_TURN:
+            assert bool(diagram.grasps_bearing(margin)) == any(
+                item.attained for item in diagram.largest_tolerances()
+            )
+            assert not diagram.grasps_bearing(margin + HAIR)
+
+
+@given(any_part, frictions.filter(bool))
+@settings(max_examples=FEW)
+def test_with_friction_no_stable_grasp_is_guaranteed(part, mu):
+    """3.12, and why: where the diameter is largest two corners face each other, and it wedges.
+
+    Refuted by friction, however little, that leaves every grasp sure to end stable.
+    """
+    diagram = GraspDiagram(part, mu)
+    assert not diagram.guaranteed.is_whole
+    for peak in DiameterFunction(part).maxima:
+        for theta in (peak, peak + HALF_TURN):
+            assert theta in diagram.wedged_set
+            assert theta not in diagram.guaranteed
+
+
+@given(st.integers(2, 30), frictions.filter(bool), frictions.filter(bool))
+@settings(max_examples=FEW)
+def test_more_sides_and_more_friction_lower_the_bound(half, first, second):
+    """After Eq. 3.14, for an even number of sides; refuted by a bound that does not fall.
+
+    An odd number has the bound 0 at once: with all numbers of sides it goes up and down.
+    """
+    less, more = sorted((first, second))
+    bounds = [regular_bound(n, less) for n in (2 * half, 2 * half + 1, 2 * half + 2)]
+    assert bounds[0].compare(bounds[2]) == (1 if bounds[0].sign() else 0)
+    assert bounds[1].sign() == 0
+    rougher = regular_bound(2 * half, more)
+    assert bounds[0].compare(rougher) == (1 if bounds[0].sign() and less < more else 0)
 
 
 # --- the friction as a variable ------------------------------------------------------------------

@@ -6,12 +6,13 @@ from itertools import cycle, pairwise
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from stochgeom.errors import VerificationError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.execution import check_plan, composite, run_angle, run_arc
 from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.plans import FeedingPlan
@@ -196,6 +197,34 @@ def test_optimal_plans_are_linear(part, c):
     steps, n, ratio = FeedingProblem(part).optimal_plan(c).steps, len(part.hull), mpq(c)
     assert steps <= 2 * n * (ratio + 1)
     assert steps <= n * (ratio + 1) - ratio
+
+
+@given(any_part, cost_ratios)
+@settings(max_examples=150)
+def test_what_theorem_4_1_rests_on(part, c):
+    """Eq. 4.9 to 4.13, with c_a = 1: refuted by a part for which one of the inequalities fails."""
+    problem = FeedingProblem(part)
+    n, ratio, best = len(part.hull), mpq(c), problem.optimal_plan(c)
+    assert problem.probability(1) >= mpq(1, 2 * n)  # 4.9
+    assert problem.expected_cost(1, c) <= 2 * n * (1 + ratio)  # 4.10
+    assert best.expected_cost <= problem.expected_cost(1, c)  # 4.11
+    assert best.expected_cost >= best.steps  # 4.12
+    assert best.probability >= (best.steps + ratio) / (2 * n * (1 + ratio))  # 4.13
+    assert problem.probability(best.steps) == best.probability
+
+
+@given(problems, cost_ratios)
+@settings(max_examples=150)
+def test_the_bound_of_section_5_4_1(problem, c):
+    """N = (2 pi / h_1) (c + 1): phase I need not go on beyond so many actions.
+
+    Refuted by an optimal plan with more. As no plan succeeds with more than T / 2 pi, one of
+    (T / h_1) (c + 1) - c actions is enough, which is asked as well.
+    """
+    best, widest = problem.optimal_plan(c), problem.preimages.of_steps(1).width
+    assert TurnRatio(mpq(c) + 1, widest, inverse=True) >= best.steps
+    order = problem.transfer.order
+    assert TurnRatio((mpq(c) + 1) / order, widest, inverse=True) >= best.steps + mpq(c)
 
 
 # --- cost ----------------------------------------------------------------------------------------

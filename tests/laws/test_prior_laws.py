@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -16,7 +17,9 @@ from stochgeom.decision.priors import uniform_prior
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.balls import working_precision
-from tests.strategies import circle_points, histograms, orientations
+from stochgeom.exact.halves import HalfAngle
+from stochgeom.exact.sums import AngleSum
+from tests.strategies import circle_points, grid_degrees, grid_widths, histograms, orientations
 
 discrete = circle_points().map(DiscretePrior)
 piecewise = histograms().map(lambda bins: PiecewisePrior.from_histogram(*bins))
@@ -54,6 +57,45 @@ def test_masses_add_up(prior, start, first, second):
     assert prior.mass(Arc(start, first)) + prior.mass(Arc(start + first, second)) == whole
     assert whole.compare(0) >= 0
     assert whole.compare(1) <= 0
+
+
+def spans(ends):
+    """Return start and width of each arc between some orientations, once around the circle."""
+    points = sorted({end.reduced() for end in ends})
+    return [(one, other - one) for one, other in pairwise([*points, points[0] + FULL_TURN])]
+
+
+@given(discrete, orientations, widths)
+@settings(max_examples=80)
+def test_theorem_3_1_for_points(prior, start, width):
+    """The gripper turned at random: the part is in an arc, seen from it, with |A| / 2 pi.
+
+    Between two turns that bring a point to an end of the arc the mass does not change; so the mean
+    is a sum, exactly. Refuted by another mean for any prior, as only a uniform angle has.
+    """
+    ends = [theta - end for theta in prior.orientations for end in (start, start + width)]
+    masses = []
+    for turn, span in spans(ends):
+        between = turn + (span if span == FULL_TURN else HalfAngle(span).nearby)
+        masses.append((prior.mass(Arc(start + between, width)).rational, span))
+    assert AngleSum(0, masses).compare(AngleSum(0, [(1, width)])) == 0
+
+
+@given(piecewise, grid_degrees, grid_widths)
+@settings(max_examples=80)
+def test_theorem_3_1_for_densities(prior, start, width):
+    """The mass is linear in the turn between boundaries: the mean is a sum of trapezoids.
+
+    Refuted by a mean other than |A| / 2 pi.
+    """
+    first, arc = Angle.from_degrees(start), min(Angle.from_degrees(width), FULL_TURN)
+    total = Fraction(0)
+    for turn, span in spans(
+        [b - end for b in prior.density.breaks for end in (first, first + arc)]
+    ):
+        sides = [prior.mass(Arc(first + turn + by, arc)).rational for by in (ZERO, span)]
+        total += sum(sides) / 2 * span.rational_turns
+    assert total == arc.rational_turns
 
 
 @given(exact_priors, orientations)

@@ -62,6 +62,28 @@ def test_posteriors_average_to_the_prior(case):
     assert tuple(mean) == problem.prior
 
 
+@FEWER
+@given(watched())
+def test_bayes_is_conditioning_on_the_reading(case):
+    """Eq. 7.1 to 7.3 from the table of all pairs of a state and a reading, cell by cell.
+
+    Refuted by a marginal that is no sum of a column, a posterior that is not its shares, or a
+    matrix by which the hyperstate does not become them.
+    """
+    problem, sensor = case
+    states = range(len(problem.states))
+    pairs = [[p * q for q in sensor.likelihood[i]] for i, p in enumerate(problem.prior)]
+    for k, reading in enumerate(sensor.readings):
+        column = [row[k] for row in pairs]
+        assert sensor.marginal(problem.prior)[reading] == sum(column)
+        matrix = sensor.matrix(reading)
+        product = [sum(problem.prior[i] * matrix[i][j] for i in states) for j in states]
+        assert product == column
+        if sum(column):
+            shares = tuple(cell / sum(column) for cell in column)
+            assert sensor.posterior(problem.prior, reading) == shares
+
+
 @FEW
 @given(watched(sensors=2))
 def test_the_order_of_two_readings_does_not_matter(case):

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from stochgeom.decision.additive_costs import AdditiveCost
 from stochgeom.decision.circular_variance import VarianceCost
 from stochgeom.decision.entropy import EntropyCost
+from stochgeom.decision.exhaustive_plans import count_plans
 from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.plan_results import METHODS
 from stochgeom.decision.plan_search import find_plan
@@ -106,6 +107,43 @@ def test_every_method_finds_the_best_plans(kind, data):
         assert found.hyperstate == problem.run(found.plan)
         alone = find_plan(problem, 3, cost, method=method, shortest=shortest)
         assert alone.plan in expected
+
+
+@pytest.mark.parametrize("kind", ["additive", "minimax", "iterative"])
+@FEW
+@given(data=st.data())
+def test_best_first_makes_no_more_nodes_than_the_whole_tree(kind, data):
+    """2.4: the worst case of branch and bound is the exhaustive one; refuted by one node more.
+
+    The root, which is no plan here, is a node as well.
+    """
+    tables, cost, _ = search_of(data.draw(plan_cases(kind)))
+    problem, horizon = PlanningProblem.from_matrices(*tables), data.draw(st.integers(1, 4))
+    keep = data.draw(st.booleans())
+    found = find_plan(problem, horizon, cost, method="best-first", all_optimal=keep)
+    assert found.nodes <= count_plans(len(problem.actions), horizon, shortest=0)
+    every = find_plan(problem, horizon, cost, method="exhaustive", all_optimal=keep)
+    assert every.nodes == count_plans(len(problem.actions), horizon)
+    assert every.cost == found.cost or float(every.cost) == float(found.cost) == math.inf
+
+
+@FEW
+@given(plan_cases("additive"), st.fractions(-2, 6, max_denominator=8))
+def test_a_plan_that_is_good_enough_ends_the_search(case, threshold):
+    """7.1.2: refuted by a plan dearer than the threshold while a cheaper one exists."""
+    tables, cost, _ = search_of(case)
+    problem = PlanningProblem.from_matrices(*tables)
+    best = find_plan(problem, 3, cost)
+    enough = find_plan(problem, 3, cost, threshold=threshold)
+    assert enough.nodes <= best.nodes
+    if best.feasible and best.cost <= threshold:
+        assert enough.cost <= threshold
+    else:
+        assert enough.proven
+        assert enough.plan == best.plan
+    if not enough.proven:
+        assert enough.reason == "threshold"
+        assert enough.lower_bound <= best.cost
 
 
 @pytest.mark.parametrize("kind", ["additive", "minimax", "iterative"])

@@ -9,6 +9,7 @@ from math import prod
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy import integrate, stats
 
 from stochgeom.tilting.all_plans import best_tilt_plan, best_tilt_plans
@@ -24,9 +25,10 @@ from stochgeom.tilting.posterior import (
     sample_matrices,
     sampled_probabilities,
 )
+from stochgeom.tilting.shortest_path import shortest_path_tilt_plan
 from stochgeom.tilting.tilt_plans import evaluate_tilt_plan
 from stochgeom.tilting.uncertain_plans import best_expected_tilt_plan, expected_probability
-from tests.strategies import tilt_instances, transition_models
+from tests.strategies import long_ways, tilt_instances, transition_models
 
 some = settings(max_examples=60)
 
@@ -110,6 +112,49 @@ def test_the_plan_of_highest_expectation_is_the_best_of_all(instance):
     plan = best_expected_tilt_plan(model, start, goal)
     assert (plan.actions, plan.probability) == (word, -probability)
     assert expected_probability(model, start, goal, word) == -probability
+
+
+def likeliest_path(model, start, goal, most):
+    """Product, tilts and words of the best of all paths of states under all words of tilts."""
+    rows, n = rows_of(model), model.counts.states
+    found = [(Fraction(1), 0, ())] if start == goal else []
+    for tilts in range(1, most + 1):
+        for word in product(range(model.counts.actions), repeat=tilts):
+            for middle in product(range(n), repeat=tilts - 1):
+                path = (start - 1, *middle, goal - 1)
+                steps = zip(word, path, path[1:], strict=False)
+                chance = prod(rows[a, i][j] / sum(rows[a, i]) for a, i, j in steps)
+                found.append((chance, tilts, tuple(a + 1 for a in word)))
+    best = max(chance for chance, _, _ in found)
+    fewest = min(tilts for chance, tilts, _ in found if chance == best)
+    return best, fewest, {word for chance, k, word in found if (chance, k) == (best, fewest)}
+
+
+@given(st.one_of(tilt_instances(), long_ways()), st.integers(1, 3))
+@some
+def test_the_bound_is_the_product_of_the_likeliest_path(instance, most):
+    """7.1.2: the heuristic finds a shortest path of lengths -log p, so that it maximises its bound.
+
+    Refuted by a path, under any tilts, of a larger product, or as large a one with fewer tilts.
+    """
+    model, start, goal = instance
+    plan = shortest_path_tilt_plan(model, start, goal, most)
+    best, fewest, words = likeliest_path(model, start, goal, most)
+    assert plan.bound == best
+    assert plan.steps == fewest
+    assert plan.actions in words
+    if most >= model.counts.states - 1:  # no longer path helps
+        assert shortest_path_tilt_plan(model, start, goal).bound == best
+
+
+def test_a_path_of_three_tilts_may_be_the_likeliest():
+    """.9 x .9 x 1 along all four states; short cuts are taken once in ten times."""
+    ring = [[0, 9, 1, 0], [0, 0, 9, 1], [0, 0, 0, 10], [10, 0, 0, 0]]
+    model = TransitionModel(TransitionCounts([ring]), "1/1000")
+    plan = shortest_path_tilt_plan(model, 1, 4)
+    assert plan.actions == (1, 1, 1)
+    assert plan.bound > Fraction(8, 10)
+    assert shortest_path_tilt_plan(model, 1, 4, 2).bound < Fraction(11, 100)
 
 
 def test_expectation_is_what_sampling_tends_to():

@@ -7,18 +7,20 @@ are gone through (`search_plans`) if the part is small enough, and random ones o
 from __future__ import annotations
 
 from itertools import combinations, pairwise
-from math import log
+from math import log, log2
 
+import numpy as np
 import pytest
 import sympy
 from gmpy2 import mpq
-from hypothesis import assume, example, given
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from stochgeom.decision.costs import length_bound, theorem_4_1_bound
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.balls import working_precision
+from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.action_classes import action_classes
 from stochgeom.feeding.adversarial import FAMILIES
@@ -29,6 +31,7 @@ from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.preimages import preimages
 from stochgeom.geometry.part import Part
 from stochgeom.transfer.squeeze import squeeze_function
+from stochgeom.transfer.step_function import StepFunction
 from tests.strategies import (
     angles,
     circle_parts,
@@ -514,3 +517,102 @@ def test_theorem_5_4(family, cost_ratio):
     if family == "long plans":  # and no better bound is true
         assert lengths == {n: n for n in lengths}
         assert growth(comparisons) > 1.9
+
+
+class Tallied(float):
+    """A float that counts how often one of its kind is added, subtracted or compared."""
+
+    asked = 0
+
+
+def _tallied(name):
+    plain = getattr(float, name)
+
+    def counted(self, other):
+        Tallied.asked += 1
+        found = plain(self, other)
+        return Tallied(found) if type(found) is float else found
+
+    return counted
+
+
+for _name in ("add", "radd", "sub", "rsub", "lt", "le", "gt", "ge", "eq", "ne"):
+    setattr(Tallied, f"__{_name}__", _tallied(f"__{_name}__"))
+Tallied.__hash__ = float.__hash__
+
+
+def stages_on_floats(s):
+    """Return how many float operations each stage of the package's phase I takes but the first.
+
+    The shadows of breaks and values are replaced by floats that count, in the list that few steps
+    are searched in and in the array for many: nothing is counted by the package itself.
+    """
+    for lifted in (s.lifted_breaks, s.lifted_values):
+        counting = [Tallied(value) for value in lifted._shadow]
+        lifted._shadow = np.array(counting, dtype=object)
+        lifted._few = None if lifted._few is None else counting
+    return stages(s, lambda: Tallied.asked)
+
+
+def stages(s, asked):
+    """Return how much a count grows in each stage of phase I but the first."""
+    counts = [asked() for _ in preimages(s)]
+    return [other - one for one, other in pairwise(counts)]
+
+
+def with_exact_decisions(s):
+    """Return the same map with shadows that decide nothing."""
+    again = StepFunction(s.breaks, s.values, s.period)
+    again.lifted_breaks = LiftedAngles(again.breaks, again.period, error=1e9)
+    again.lifted_values = LiftedAngles(again.values, again.period, error=1e9)
+    return again
+
+
+long_maps = st.one_of(maps, nearly_regular(most=81).map(squeeze_function))
+LONG = squeeze_function(FAMILIES["long plans"](101, 0))
+"""With so many steps, searching all pairs of breaks shows; from 49 on arrays do it."""
+
+
+@given(long_maps)
+@example(LONG)
+@settings(max_examples=max(20, settings().max_examples // 12))
+def test_theorem_5_4_of_the_package(s):
+    """A stage asks three binary searches at most and ten things more of each of m breaks.
+
+    So all of phase I takes O(n^2 log n) float operations for plans of O(n) steps, where the plain
+    loop takes O(n^2). Refuted by a stage that takes more. (The second and third search bracket what
+    the first leaves open; in an array of objects each step of a search compares twice.)
+    """
+    m = len(s)
+    assert all(count <= m * (6 * log2(2 * m) + 10) for count in stages_on_floats(s))
+
+
+@given(long_maps)
+@example(LONG)
+@settings(max_examples=max(20, settings().max_examples // 40))
+def test_theorem_5_4_of_the_package_without_floats(s):
+    """Refuted by more exact comparisons than that, where floats decide nothing."""
+    m, asked = len(s), [0]
+
+    def counted(plain):
+        def asking(self, other):
+            asked[0] += 1
+            return plain(self, other)
+
+        return asking
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Angle, "compare", counted(Angle.compare))
+        patch.setattr(Angle, "__eq__", counted(Angle.__eq__))
+        counts = stages(with_exact_decisions(s), lambda: asked[0])
+    assert all(count <= m * (log2(2 * m) + 6) for count in counts)
+
+
+@pytest.mark.parametrize("family", ["long plans", "Reuleaux-like parts", "needles"])
+def test_theorem_5_4_of_the_package_grows_no_faster(family):
+    """Refuted by operations that grow faster than n^2 log n where plans are longest."""
+    counts = {
+        n: sum(stages_on_floats(squeeze_function(FAMILIES[family](n, n)))) / log2(2 * n)
+        for n in (9, 15, 27, 45, 81)
+    }
+    assert growth(counts) < 2.1
