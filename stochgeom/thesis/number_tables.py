@@ -153,6 +153,10 @@ def evolution_table(title: str, evolution: Evolution) -> NumberTable:
         (f"cost of {steps} step{'s' * (steps > 1)}", cost, *blank)
         for steps, cost in enumerate(evolution.costs, start=1)
     ]
+    rows += [
+        (f"rounds of {steps} step{'s' * (steps > 1)}", mean, *blank)
+        for steps, mean in enumerate(evolution.rounds, start=1)
+    ]
     return NumberTable(title, ("gripper angle", *states), tuple(rows))
 
 
