@@ -132,7 +132,9 @@ def period_and_symmetry() -> Facts:
     rotations = [k for k in range(5) if edges[k:] + edges[:k] == edges]
     period = squeeze_function(part).period
     t_r = HALF_TURN  # r = 1: 2 pi / (r (1 + r mod 2))
-    push = push_grasp_function(catalogue_part("rectangle")).period
+    rectangle = catalogue_part("rectangle")
+    push = push_grasp_function(rectangle).period
+    aside = push_grasp_function(Part(rectangle.vertices, ("1.9", 1))).period
     return (
         equal(
             "rotations of the edges of the part that leave their lengths as they are",
@@ -147,6 +149,11 @@ def period_and_symmetry() -> Facts:
         ),
         equal(
             "period of the rectangle's push-grasps, r = 2, divides 2 pi / r", HALF_TURN % push, ZERO
+        ),
+        equal(
+            "with the centre of mass aside, at (1.9, 1), r of part and centre is 1, the period",
+            aside,
+            FULL_TURN,
         ),
     )
 
