@@ -68,7 +68,9 @@ class TestNumbers:
     def test_experiments_on_few_parts(self):
         told = []
         found = searched_parts("a", 5, told.append)
-        assert found.rows[1][1].decimal(0) == "100"
+        assert found.rows[3][1].decimal(0) == "100"
+        assert [row[2] for row in found.rows] == ["5.9", "", "", "99", ""]
+        assert found.rows[1][1].decimal(3) == "5.962"
         assert compared_parts("b", 3, told.append).verdicts[Verdict.REPRODUCED] == 1
         assert told[4] == told[-1] == 1.0
 
@@ -77,6 +79,15 @@ class TestNumbers:
         for found in (gripper_table("a", 2), tilt_table("b", 12, 1)):
             assert not list(found.cells)
             assert "judged" in found.notes[0]
+        *plans, mean, spread = found.rows
+        assert len(plans) == 14
+        assert mean[2:4] == ("mean tilts of the best plans of 132 instances", "2.4")
+        assert spread[3] == "0.75"
+        assert 1 <= mean[4].value <= 3
+        assert "144 pairs of states 12 have the start for goal" in found.notes[1]
+        assert ".97 (4), .98 (5 to 7), .99 (8 to 21)" in found.notes[2]
+        printed = [row[3] for row in gripper_table("a", 2).rows]
+        assert printed == ["126/250"] * 2 + ["250/250"] * 2
         assert [row[2] for row in gripper_table("a", 4).rows[2:]] == ["4/4", "4/4"]
 
 
