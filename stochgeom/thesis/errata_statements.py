@@ -22,9 +22,10 @@ HOUSE_DENSITY: Final = Erratum(
     "centroid, and with no centre of mass both them and Fig. E.8",
     "with the centre at the centroid of this outline, (0, 4/15), one of six cells holds, and Fig. "
     "E.8 does not; centres that give Fig. E.8 are within .05 of the axis at heights of .28 to .43, "
-    "where the cell .90 of Table C.1 is below .88. This is shown for all centres, but for this "
-    "outline: whether a uniform house with other walls or another roof has the printed cells is "
-    "open",
+    "where the cell .90 of Table C.1 is below .88, or, should the .20 not be the base's, beside a "
+    "corner of the base, where the cell .72 is below .68. This is shown for all centres, but for "
+    "this outline: whether a uniform house with other walls or another roof has the printed cells "
+    "is open",
 )
 
 OTHER_DENSITIES: Final = Erratum(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 from itertools import pairwise, product
@@ -11,7 +11,7 @@ from typing import Any, Final
 from gmpy2 import mpq
 
 from stochgeom.errors import InputError
-from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
+from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.balls import rational_ball, tangent_ball, working_precision
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.scalars import RationalLike
@@ -32,7 +32,11 @@ Box = tuple[tuple[mpq, mpq], tuple[mpq, mpq]]
 """Ranges of x and of y."""
 
 E_8_BOX: Final[Box] = ((mpq(-46, 1000), mpq(46, 1000)), (mpq(2875, 10000), mpq(423, 1000)))
-"""Holds every centre of mass of the house that gives Fig. E.8; see `density_of_the_house`."""
+"""Holds every centre of mass that gives Fig. E.8 if the .20 is the base's; see below."""
+
+CORNER_SLOPES: Final = (mpq(66, 100), mpq(78, 100))
+CORNER_HEIGHT: Final = mpq(343, 1000)
+"""Slopes and height of a triangle over a corner of the base, with all others."""
 
 UNIFORM_OUTLINES: Final = {
     "key": (
@@ -53,13 +57,18 @@ def density_of_the_house() -> Facts:
     maxima of the radius, the base is stable under push and squeeze, and what comes to rest against
     an edge of one side is squeezed onto the wall of that side. So the three steps of a push-grasp
     are the angles under which the centre sees base, right and left chord (corner of the base to
-    apex). The .20 of Fig. E.8 is the base's: the states of base and wall are 90 degrees apart, so
-    if they were the two of .40, two actions would collapse .80, and .60 is printed.
+    apex). A chord is seen under .395 of a turn or more only from a segment of a circle, whose
+    height is half the chord times tan 18.9 degrees, and whose tangents at the ends make 37.8 with
+    the chord.
 
-    Then the base is seen under .195 of a turn or more, so the centre is no higher than on the axis:
-    below .423. A chord of length sqrt 10 is seen under .395 of a turn or more only from a segment
-    of a circle of height sqrt 10 / 2 tan 18.9 degrees, so 2 - y + 3 |x| <= 5 tan 18.9 < 1.7125.
-    Both together leave a small box. Table C.1's bound falls as a way L from a stable to an unstable
+    If the .20 of Fig. E.8 is the base's, the centre is below .423, as on the axis the base is seen
+    under .195 there, and beside it under less. It is in both segments over the other chords, of
+    length sqrt 10, so 2 - y + 3 |x| <= 5 tan 18.9 < 1.7125. Both together leave a small box. If the
+    .20 is that of the right chord, the centre is in segments over base and left chord: seen from
+    the left corner of the base between 33.7 and 37.8 degrees, in a small triangle. The left chord
+    is a mirror image of that.
+
+    Table C.1's bound falls as a way L from a stable to an unstable
     orientation grows, as of [a, b] on it min(b, L) (1 + ln(L / min(b, L))) less the same of a is
     wedged; L is an angle between a direction to a corner and a normal, extreme at corners of a box.
     """
@@ -69,10 +78,15 @@ def density_of_the_house() -> Facts:
     with working_precision(64):
         lens = 5 * tangent_ball(mpq(Fraction(1, 2) - above) / 2)
         narrow = bool(lens < rational_ball(2 - E_8_BOX[1][0]))
+        low = bool(lens < 5 * rational_ball(CORNER_HEIGHT))
     width = (E_8_BOX[1][1] - E_8_BOX[1][0]) / 3
     bound = most_after_push(corners, E_8_BOX, "0.1")
-    cell = catalogue_entry("house").printed["C.1 mu=0.1"]
-    least = fraction(cell) - half_unit("0.90")
+    aside = most_in_the_corner("0.25")
+    cells = [
+        fraction(catalogue_entry("house").printed[f"C.1 mu={mu}"]) - Fraction(1, 200)
+        for mu in ("0.1", "0.25")
+    ]
+    tangent = HALF_TURN - Angle.from_turns(mpq(above))
     return (
         equal("cells of the house, of six, that hold at (0, 0)", _cells_of("house", (0, 0)), 6),
         equal("at the centroid of the uniform house, (0, 4/15)", _cells_of("house"), 1),
@@ -92,7 +106,19 @@ def density_of_the_house() -> Facts:
         Fact(
             "and there the bound of Table C.1 at mu = .10, printed as 0.90, is at most",
             bound.decimal(),
-            bound.compare(mpq(least)) < 0,
+            bound.compare(mpq(cells[0])) < 0,
+        ),
+        Fact(
+            "if a side has the .20, slopes to the centre from the other corner are within",
+            " and ".join(rational_decimal(slope, 2) for slope in CORNER_SLOPES),
+            Angle(0, (1, CORNER_SLOPES[0])) < Angle(0, (1, 3)) - tangent
+            and tangent < Angle(0, (1, CORNER_SLOPES[1])),
+        ),
+        Fact("  its height over the base is below", rational_decimal(CORNER_HEIGHT, 3), low),
+        Fact(
+            "  and there the bound of Table C.1 at mu = .25, printed as 0.72, is at most",
+            aside.decimal(),
+            aside.compare(mpq(cells[1])) < 0,
         ),
     )
 
@@ -110,22 +136,53 @@ def most_after_push(corners: Sequence[Point], box: Box, mu: str, cuts: int = 2) 
     True
     """
     xs, ys = ([low + (high - low) * mpq(k, cuts) for k in range(cuts + 1)] for low, high in box)
-    wedges = SqueezeStability(Part(corners, (box[0][0], box[1][0])), mu).wedging
     found = []
     for x_range, y_range in product(pairwise(xs), pairwise(ys)):
         sides = [PushStability(Part(corners, centre)).sides for centre in product(x_range, y_range)]
         if len({tuple((stable, step) for stable, _, step in row) for row in sides}) != 1:
             raise InputError("other edges are stable at another corner; accepted: a smaller box")
-        ends = []
-        for same in zip(*sides, strict=True):
-            stable, _, step = same[0]
-            length = min(((end - stable) * step) % FULL_TURN for _, end, _ in same)
-            for wedge in wedges:
-                first = (wedge.start - stable) * step - (wedge.width if step < 0 else ZERO)
-                for near, far in _within(first % FULL_TURN, wedge.width, length):
-                    ends += [(1, near, length), (-1, far, length)]
-        found.append(sum_of_integrals(1, ends))
+        ways = [
+            (stable, step, min(((end - stable) * step) % FULL_TURN for _, end, _ in same))
+            for same in zip(*sides, strict=True)
+            for stable, _, step in same[:1]
+        ]
+        found.append(_share_of(ways, Part(corners, (x_range[0], y_range[0])), mu))
     return max(found, key=cmp_to_key(_order))
+
+
+def most_in_the_corner(mu: str) -> Probability:
+    """Return no less than the bound of Table C.1 for any centre of mass near a corner of the house.
+
+    In the triangle over the left corner of the base, of slopes and height as given, no edge of the
+    roof is stable. Directions to the right corner of the base and to the apex are extreme at the
+    triangle's corners; that to the left corner of the base is the slope.
+    """
+    low, high = CORNER_SLOPES
+    reach = [(CORNER_HEIGHT / slope, CORNER_HEIGHT) for slope in CORNER_SLOPES]
+    triangle = [(mpq(0), mpq(0)), *reach]  # from the left corner of the base
+    down = [Angle(0, (2 - x, y)) for x, y in triangle]  # to its right corner, below the horizontal
+    apex = [Angle(0, (1 - x, 3 - y)) for x, y in triangle]
+    base, right, left = ZERO, QUARTER_TURN, HALF_TURN + QUARTER_TURN
+    ways = [
+        (base, 1, QUARTER_TURN - max(down)),
+        (base, -1, QUARTER_TURN - Angle(0, (1, high))),
+        (right, -1, min(down)),
+        (right, 1, min(apex)),
+        (left, -1, HALF_TURN - max(apex)),
+        (left, 1, Angle(0, (1, low))),
+    ]
+    return _share_of(ways, catalogue_part("house"), mu)
+
+
+def _share_of(ways: Iterable[tuple[Angle, int, Angle]], part: Part, mu: str) -> Probability:
+    """Return 1 less what is wedged on ways of (stable orientation, step, L) of a push."""
+    ends, wedges = [], SqueezeStability(part, mu).wedging
+    for stable, step, length in ways:
+        for wedge in wedges:
+            first = (wedge.start - stable) * step - (wedge.width if step < 0 else ZERO)
+            for near, far in _within(first % FULL_TURN, wedge.width, length):
+                ends += [(1, near, length), (-1, far, length)]
+    return sum_of_integrals(1, ends)
 
 
 def _order(one: Any, other: Any) -> int:

@@ -64,13 +64,20 @@ def tilt_table(
     best = [plan.steps for plan in best_tilt_plans(model).values()]
     mean = mpq(sum(best), len(best))
     variance = sum((steps - mean) ** 2 for steps in best) / (len(best) - 1)
-    what = f"of the best plans of {len(best)} instances"
     rows += [
-        ("", "", f"mean tilts {what}", PRINTED_MEAN_TILTS, ExactNumber(mean), "", ""),
         (
             "",
             "",
-            f"their standard deviation {what}",
+            f"mean tilts, best plans of {len(best)} instances",
+            PRINTED_MEAN_TILTS,
+            ExactNumber(mean),
+            "",
+            "",
+        ),
+        (
+            "",
+            "",
+            "standard deviation of these",
             PRINTED_SD_TILTS,
             SquareRoot(variance),
             "",

@@ -153,6 +153,20 @@ class TestRecomputationsCanFail:
         monkeypatch.setattr(densities, "E_8_BOX", box)
         assert any("Table C.1" in claim for claim in self.failing(densities.density_of_the_house))
 
+    @pytest.mark.parametrize(
+        ("name", "value", "words"),
+        [
+            ("CORNER_SLOPES", (mpq(68, 100), mpq(78, 100)), "slopes"),
+            ("CORNER_SLOPES", (mpq(66, 100), mpq(77, 100)), "slopes"),
+            ("CORNER_HEIGHT", mpq(342, 1000), "height"),
+            ("CORNER_HEIGHT", mpq(2, 3), "mu = .25"),
+        ],
+    )
+    def test_with_another_triangle(self, monkeypatch, name, value, words):
+        monkeypatch.setattr(densities, name, value)
+        (claim,) = self.failing(densities.density_of_the_house)
+        assert words in claim
+
     def test_with_a_key_that_is_not_uniform_there(self, monkeypatch):
         outlines = {"key": catalogue_part("key").vertices}
         monkeypatch.setattr(densities, "UNIFORM_OUTLINES", outlines)
@@ -190,6 +204,17 @@ class TestBounds:
         x, y = (mpq(value) for value in centre)
         point = ((x, x), (y, y))
         assert densities.most_after_push(corners, point, "0.1").decimal(9) == exact.decimal(9)
+
+    def test_of_the_house_in_the_corner(self):
+        """At centres all over the triangle, and of those the few that have .40, .20 and .40."""
+        corners, (low, high) = catalogue_part("house").vertices, densities.CORNER_SLOPES
+        most, fitting = densities.most_in_the_corner("0.25"), 0
+        for k, m in product((1, 2, 4, 10, 20), range(1, 6)):
+            y = densities.CORNER_HEIGHT * mpq(k, 20)
+            part = Part(corners, (y / (low + (high - low) * mpq(m, 6)) - 1, y - 1))
+            assert pushing_bound(GraspDiagram(part, "0.25")).compare(most) < 0
+            fitting += densities._gives_figure_e_8(part)
+        assert fitting
 
     def test_a_box_in_which_other_edges_are_stable(self):
         corners = catalogue_part("house").vertices

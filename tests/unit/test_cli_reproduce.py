@@ -81,7 +81,7 @@ class TestNumbers:
             assert "judged" in found.notes[0]
         *plans, mean, spread = found.rows
         assert len(plans) == 14
-        assert mean[2:4] == ("mean tilts of the best plans of 132 instances", "2.4")
+        assert mean[2:4] == ("mean tilts, best plans of 132 instances", "2.4")
         assert spread[3] == "0.75"
         assert 1 <= mean[4].value <= 3
         assert "144 pairs of states 12 have the start for goal" in found.notes[1]
