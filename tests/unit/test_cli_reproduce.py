@@ -10,6 +10,7 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
+import stochgeom.plotting.source_figures as source_figures
 import stochgeom.thesis.reproductions as reproductions
 from stochgeom.cli.main import main
 from stochgeom.cli.reproduce_command import chosen_names, file_stem
@@ -182,6 +183,20 @@ class TestOutput:
             contents.append({p.name: p.read_bytes() for p in (tmp_path / name).iterdir()})
         assert contents[0] == contents[1]
         assert {"fig-5.7.svg", "fig-G.1.svg", "fig-G.1.csv"} <= {*contents[0]}
+
+    @pytest.mark.parametrize(
+        ("name", "drawing", "friction"),
+        [
+            ("fig3.5", "draw_push_stability", ()),
+            ("fig3.6", "draw_squeeze_stability", ("1/4",)),
+            ("fig3.7", "draw_grasp_diagram", ("1/4",)),
+        ],
+    )
+    def test_diagrams_of_chapter_3_are_of_a_square(self, monkeypatch, name, drawing, friction):
+        """As their captions say, with mu = .25."""
+        monkeypatch.setattr(source_figures, drawing, lambda *given: given)
+        assert SOURCE_FIGURES[name].draw() == (((0, 0), (1, 0), (1, 1), (0, 1)), *friction)
+        assert "square" in SOURCE_FIGURES[name].title
 
     @pytest.mark.parametrize("name", SOURCE_FIGURES)
     def test_a_picture(self, name):
