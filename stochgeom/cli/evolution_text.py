@@ -43,6 +43,12 @@ def evolution_text(evolution: Evolution, digits: int) -> str:
         "Expected cost of the best plans, filter cost 1:",
         *costs,
     ]
+    if evolution.rounds:
+        lines += ["", "Mean number of rounds of these plans:"]
+        lines += [
+            f"  {steps}-step plan: {shown(mean)}"
+            for steps, mean in enumerate(evolution.rounds, start=1)
+        ]
     for place, note in enumerate(notes, start=1):
         if note is None:
             lines.append(f"\n({place}) differs, and no erratum explains it")
@@ -79,4 +85,5 @@ def evolution_document(evolution: Evolution, digits: int) -> dict[str, Any]:
             for row in evolution.rows
         ],
         "costs": [document(cost) for cost in evolution.costs],
+        "rounds": [document(mean) for mean in evolution.rounds],
     }

@@ -80,6 +80,9 @@ Ours, not the source's, so it is no part of the catalogue: convex, without paral
 steps in half a turn, and five squeezes orient it up to symmetry.
 """
 
+RECTANGLE_STARTS: Final = ("75", "110", "165", "220")
+"""Initial orientations of Figs. 1.1 and 4.1, degrees: they end alike, though far apart."""
+
 
 @final
 @dataclass(frozen=True, slots=True)
@@ -108,7 +111,7 @@ def _plan(name: str) -> FeedingPlan:
 
 
 def _traces_of_the_rectangle() -> Axes:
-    return draw_trace(_plan("rectangle"), orientations=["20", "75", "130", "165"])
+    return draw_trace(_plan("rectangle"), orientations=RECTANGLE_STARTS)
 
 
 def _two_axes() -> tuple[Axes, Axes]:
@@ -214,12 +217,11 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("3.2", "a small error is cancelled", lambda: draw_uncertain_grasp(SQUARE, 0, "20")),
     ("3.3", "a large error is not", lambda: draw_uncertain_grasp(SQUARE, 0, "50")),
     ("3.4", "a square wedged, and stable", lambda: draw_sliding_jaw(SQUARE, 40)),
-    ("3.5", "push-stability diagram of the house",
-     lambda: draw_push_stability(catalogue_part("house"))),
-    ("3.6", "squeeze-stability diagram of the house, mu = 1/4",
-     lambda: draw_squeeze_stability(catalogue_part("house"), "1/4")),
-    ("3.7", "squeeze-grasp diagram of the house, mu = 1/4",
-     lambda: draw_grasp_diagram(catalogue_part("house"), "1/4")),
+    ("3.5", "push-stability diagram of a square", lambda: draw_push_stability(SQUARE)),
+    ("3.6", "squeeze-stability diagram of a square, mu = 1/4",
+     lambda: draw_squeeze_stability(SQUARE, "1/4")),
+    ("3.7", "squeeze-grasp diagram of a square, mu = 1/4",
+     lambda: draw_grasp_diagram(SQUARE, "1/4")),
     ("4.1", "a two-step plan orients the rectangle", _traces_of_the_rectangle),
     ("4.2", "a feeder that carries out the plan of the 4gon", lambda: draw_feeder(_plan("4gon"))),
     ("4.3", "diameter function of the 4gon", lambda: draw_diameter(catalogue_part("4gon"))),

@@ -125,7 +125,9 @@ PRINTED_PLANS: Final = (
 )
 """Tables 6.1 and 6.2, in the order of the former."""
 
-PRINTED_MEAN_TILTS, PRINTED_SD_TILTS = "2.4", "0.75"
+PRINTED_MEAN_TILTS: Final = "2.4"
+PRINTED_SD_TILTS: Final = "0.75"
+"""Tilts of the plans of all 132 instances with another goal than start (6.4)."""
 
 
 def figure_6_4_printed() -> tuple[tuple[str, ...], ...]:
@@ -183,6 +185,24 @@ def figure_6_4_counts() -> TransitionCounts:
 def figure_6_4_model() -> TransitionModel:
     """Return the estimate of Fig. 6.4, from its recovered counts."""
     return TransitionModel(figure_6_4_counts(), ALPHA)
+
+
+def unanimous_trials(printed: str) -> tuple[int, ...]:
+    """Return how many trials with one outcome give an estimate of two decimals.
+
+    With n trials it is (n + alpha) / (n + 12 alpha), for the twelve states and alpha = .01.
+
+    Examples
+    --------
+    >>> unanimous_trials(".97"), unanimous_trials(".98"), unanimous_trials(".62")
+    ((4,), (5, 6, 7), ())
+    """
+    states = len(figure_6_4_printed())
+    return tuple(
+        n
+        for n in range(1, MOST_TRIALS + 1)
+        if rational_decimal((n + ALPHA) / (n + states * ALPHA), 2) == f"0{printed}"
+    )
 
 
 def _nearest(value: mpq) -> int:

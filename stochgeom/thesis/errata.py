@@ -56,7 +56,8 @@ TABLE_C_1: Final = {
         "Table C.1, rectangle, mu = .05",
         "0.99",
         "0.9978, which rounds to 1.00",
-        "the cell is capped or cut; every other cell of the table is rounded",
+        "no rectangle has .99 there and the two other cells of its row: the cell is capped or cut; "
+        "every other cell of the table is rounded",
     ),
 }
 """Cells of Table C.1 that do not follow from the rest."""
@@ -76,7 +77,7 @@ EQUATION_3_14: Final = Erratum(
 )
 
 LIMIT_OF_3_13: Final = Erratum(
-    "1.5, 3.12 and 7.4, the bound as friction goes to 0",
+    "1.5, 3.1, 3.11, 3.12 and 7.4, the bound as friction goes to 0",
     "goes to 1",
     "has a limit that depends on the part, and is 1 at mu = 0 only",
     "the bound of App. C goes to 1, and Eq. 3.13's does for parts such as even regular polygons; "
@@ -100,7 +101,8 @@ APPENDIX_E: Final = {
         "the printed distributions make every action after the first turn the states the same way, "
         "each by less than the widest step, .285 of a turn or 102.6 degrees; the increments of the "
         "printed angles, 25, 54 and -102, do not have one sign, and turned the long way round they "
-        "are too large. The first two already exclude each other if they are middles of ranges: "
+        "are too large, as are -23, or 25 the other way, if each is a turn of its own. The first "
+        "two increments already exclude each other if they are middles of ranges: "
         "with y the distances from the stable orientations up to the ends of their steps, the "
         "ranges are [y_3, y_4) and [y_2, y_4), both below y_4, so the second middle is less than "
         "twice the first, and 54 is more than 2 x 25",

@@ -13,8 +13,11 @@ from typing import Final, final
 from stochgeom.arguments import expect
 from stochgeom.errors import UnknownErratumError
 from stochgeom.thesis import errata, errata_statements
+from stochgeom.thesis import recompute_backchaining as backchaining
+from stochgeom.thesis import recompute_densities as densities
 from stochgeom.thesis import recompute_framework as framework
 from stochgeom.thesis import recompute_grasps as grasps
+from stochgeom.thesis import recompute_orientations as orientations
 from stochgeom.thesis import recompute_planning as planning
 from stochgeom.thesis import recompute_tables as tables
 from stochgeom.thesis.appendix_g import FIGURES_G
@@ -71,21 +74,27 @@ def _numbered() -> tuple[ErratumEntry, ...]:
         (errata.APPENDIX_E["angles"], grasps.angles_of_figure_e_5),
         (errata.APPENDIX_E["cost"], grasps.text_of_appendix_e),
         (g_3, tables.figure_g_3),
-        (statements.HOUSE_DENSITY, tables.density_of_the_house),
+        (statements.HOUSE_DENSITY, densities.density_of_the_house),
+        (statements.OTHER_DENSITIES, densities.density_of_other_parts),
+        (statements.FIGURE_E_1, orientations.caption_of_figure_e_1),
         (statements.TEXT_OF_4_8, tables.text_of_section_4_8),
         (statements.LENGTH_OF_PLANS, framework.length_of_cheap_plans),
         (statements.WORDS, framework.words_on_decisions),
         (statements.INFINITE_COST, framework.infinite_costs),
+        (statements.STABLE_ORIENTATIONS, orientations.stable_orientations),
         (errata.LIMIT_OF_3_13, grasps.limit_of_the_bound),
         (errata.EQUATION_3_14, grasps.equation_3_14),
         (statements.PERIOD, planning.period_and_symmetry),
         (statements.THEOREM_4_1, planning.bound_of_theorem_4_1),
         (statements.FIGURE_5_1, planning.first_step_of_figure_5_1),
         (statements.EQUATION_5_3, planning.angles_of_equation_5_3),
-        (statements.CLOSURE, planning.closure_of_lemma_5_1),
+        (statements.NUMBER_OF_PLANS, backchaining.plans_of_phase_one),
+        (statements.LEMMA_5_1, backchaining.closure_in_lemma_5_1),
+        (statements.EQUATION_5_7, backchaining.wider_arcs_in_5_7),
         (statements.FIGURE_5_8, planning.cost_in_figure_5_8),
         (statements.THEOREM_5_4, planning.time_of_phase_one),
         (statements.CONJECTURE_5_4_1, planning.length_of_plans),
+        (statements.TRAY_STATES, framework.states_of_the_tray),
         (statements.POSTERIOR, framework.variance_of_a_posterior),
         (statements.RANDOM_TILTS, framework.random_tilts),
         (statements.MEASURED_PLAN, framework.success_of_the_second_plan),
@@ -94,7 +103,7 @@ def _numbered() -> tuple[ErratumEntry, ...]:
         (statements.SHANNON, framework.information_of_a_sensor),
         (errata.APPENDIX_C_TEXT, grasps.text_of_appendix_c),
         (statements.SWEEP, grasps.sweep_of_appendix_d),
-        (statements.POTENTIAL, grasps.sign_of_the_potential),
+        (statements.POTENTIAL, orientations.sign_of_the_potential),
         (statements.DERIVATIVE, planning.derivative_in_f_4),
     ]
     return tuple(

@@ -16,12 +16,80 @@ COLUMNS_OF_6_4: Final = Erratum(
 )
 
 HOUSE_DENSITY: Final = Erratum(
-    "4.8 and App. E, all parts have uniform density",
-    "one centre of mass for each part",
-    "the house has its centre of mass at (0, 0) in Tables 3.1 and C.1 and at the mean of its "
-    "vertices, (0, 2/5), in Fig. E.8",
-    "of a grid of points over the house none gives both the printed cells of the tables and the "
-    "printed distribution, and the centroid of a uniform house, (0, 4/15), gives neither",
+    "Tables 3.1 and C.1, captions, and Fig. E.8, the house",
+    "all parts have uniform mass density",
+    "the house of the catalogue has its cells with the centre of mass at (0, 0), not at its "
+    "centroid, and with no centre of mass both them and Fig. E.8",
+    "with the centre at the centroid of this outline, (0, 4/15), one of six cells holds, and Fig. "
+    "E.8 does not; centres that give Fig. E.8 are within .05 of the axis at heights of .28 to .43, "
+    "where the cell .90 of Table C.1 is below .88, or, should the .20 not be the base's, beside a "
+    "corner of the base, where the cell .72 is below .68. This is shown for all centres, but for "
+    "this outline: whether a uniform house with other walls or another roof has the printed cells "
+    "is open",
+)
+
+OTHER_DENSITIES: Final = Erratum(
+    "Tables 3.1 and C.1, captions, the 4gon, 5gon, wrench, tuning-fork and key",
+    "all parts have uniform mass density",
+    "not shown to be wrong: a uniform key with eleven sides has all its cells; of the 5gon, the "
+    "wrench and the tuning-fork no uniform outline is known that has them, nor a proof that there "
+    "is none",
+    "the outlines of the catalogue have their centres of mass elsewhere than at their centroids, "
+    "where the 5gon and the wrench have none of their six cells, the tuning-fork two and the key "
+    "three; the 4gon has all six there, but not the first row of Fig. E.5 to the last digit. "
+    "Sides and cells leave room for other outlines, and a search is no proof",
+)
+
+STABLE_ORIENTATIONS: Final = Erratum(
+    "Def. 3.4, number of stable orientations",
+    "at most one for each edge",
+    "at most two, 2 n together",
+    "each edge may lie against either jaw, as 4.4.2 has it with up to 2 n states, and Fig. 4.6 "
+    "with eight for four edges; App. D's n stable grasps count orientations half a turn apart once",
+)
+
+LEMMA_5_1: Final = Erratum(
+    "Lemma 5.1 and Def. 5.3",
+    "if a plan collapses a set, it collapses the smallest contiguous set around it",
+    "it collapses one contiguous set around it; the smallest one if the period T is at most half "
+    "a turn, as that of squeezes",
+    "two push-grasps of App. E's house bring the orientations 34 and 180 degrees to one, and 144 "
+    "of the 146 degrees between them elsewhere: they collapse the longer arc, of 214 degrees. "
+    "A collapsed arc is narrower than T, so that for T up to half a turn it is the shorter one. "
+    "Lemma 5.2 and the theorems need one contiguous set only",
+)
+
+EQUATION_5_7: Final = Erratum(
+    "5.7, text before Eq. 5.7",
+    "a set larger than the last whose image is no larger than it",
+    "smaller, as Eq. 5.7 and Fig. 5.1 have it",
+    "an image is closed and a preimage open at one end, so that of two of one width the image does "
+    "not fit; there is a part with an arc a period wide and an image exactly as wide as the second "
+    "preimage, and no plan of three steps collapses that arc",
+)
+
+NUMBER_OF_PLANS: Final = Erratum(
+    "5.4.1",
+    "N preimages give plans of up to N - 1 steps",
+    "of 1 to N steps",
+    "the first preimage is a step of the transfer function and takes one action; each that follows "
+    "takes one more, and for all eight parts no plan of one step less collapses the last of them",
+)
+
+TRAY_STATES: Final = Erratum(
+    "6.2",
+    "twelve states: in one of four corners or at one of four sides, horizontal or vertical",
+    "at a side in one way only, the long edge against the wall",
+    "corners and sides, each in two ways, would be sixteen; twelve are eight in corners and four "
+    "at sides, and the matrix of Fig. 6.4 agrees with these (decision 24)",
+)
+
+FIGURE_E_1: Final = Erratum(
+    "Fig. E.1, caption",
+    "in a squeeze the part turns so that its diameter decreases, to a minimum of it",
+    "in a push, its radius, to a minimum of that",
+    "the figure is of the radius function, and the words those of the figure of the diameter; a "
+    "push ends at minima of the radius and turns away from its maxima, which are others",
 )
 
 TEXT_OF_4_8: Final = Erratum(
@@ -50,15 +118,6 @@ FIGURE_5_1: Final = Erratum(
     "loop gives them plans of two steps, against Cor. 5.1.1",
 )
 
-CLOSURE: Final = Erratum(
-    "Def. 5.3 and Lemma 5.1, for push-grasps (5.10, App. E)",
-    "a plan that collapses a set collapses the smallest contiguous set that holds it",
-    "of the contiguous sets that hold it the plan collapses one, not always the smallest",
-    "three push-grasps collapse 271 degrees of the 4gon; its two ends are nearer to each other the "
-    "other way round, where orientations end elsewhere; squeezes never collapse more than half a "
-    "turn, so that the lemma holds for them as printed, and the proof, on lifted angles, for all",
-)
-
 FIGURE_5_8: Final = Erratum(
     "Fig. 5.8 and Lemma 5.4",
     "(i + 1)",
@@ -72,8 +131,9 @@ PERIOD: Final = Erratum(
     "the period of a transfer function for r-fold symmetry",
     "a period: the smallest one divides it",
     "the part (0, 0), (2, 0), (2, 1), (1, 2), (0, 1) has r = 1 and the period 90 degrees, not 180; "
-    "the period of push-grasps divides 2 pi / r, so that a part is oriented uniquely only if it is "
-    "2 pi",
+    "the period of push-grasps divides 2 pi / r if r is that of the part with its centre of mass "
+    "(a 3 by 2 rectangle has the period 180, and 360 with its centre at (1.9, 1)), so that a part "
+    "is oriented uniquely only if it is 2 pi",
 )
 
 THEOREM_4_1: Final = Erratum(
@@ -163,9 +223,10 @@ SHANNON: Final = Erratum(
 
 LENGTH_OF_PLANS: Final = Erratum(
     "2.4",
-    "costs bounded below bound the length of plans",
-    "costs of actions bounded away from zero do",
-    "actions that cost 1/2, 1/4, ... never reach the cost 1 together",
+    "additive costs bounded from below bound the length of plans",
+    "they do if every action costs something, as the actions are finitely many",
+    "with an action that costs nothing and moves half of what is left to the goal, the best plan "
+    "of every horizon is as long as the horizon",
 )
 
 WORDS: Final = Erratum(

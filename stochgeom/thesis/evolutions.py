@@ -68,12 +68,12 @@ class EvolutionRow:
     ----------
     angle : Cell or None
         Of the gripper, from the first action on; None at the first, which is random.
-    cells : tuple of Cell
-        The probability of each state.
+    cells : tuple of Cell or Shown
+        The probability of each state; a cell where it is printed.
     """
 
     angle: Cell | None
-    cells: tuple[Cell, ...]
+    cells: tuple[Cell | Shown, ...]
 
 
 @final
@@ -94,6 +94,8 @@ class Evolution:
     costs : tuple of Cell or Shown
         Expected costs of the best plans of 1, 2, ... steps, filter cost 1; a cell where a cost is
         printed.
+    rounds : tuple of Cell
+        Mean numbers of rounds of these plans, from one step on, as far as they are printed.
     """
 
     figure: str
@@ -101,13 +103,15 @@ class Evolution:
     orientations: tuple[Angle, ...]
     rows: tuple[EvolutionRow, ...]
     costs: tuple[Cell | Shown, ...]
+    rounds: tuple[Cell, ...] = ()
 
     @property
     def cells(self) -> tuple[Cell, ...]:
         """Everything that is printed."""
         found = [row.angle for row in self.rows if row.angle is not None]
-        found += [cell for row in self.rows for cell in row.cells]
-        return (*found, *(cost for cost in self.costs if isinstance(cost, Cell)))
+        entries = [*(entry for row in self.rows for entry in row.cells), *self.costs]
+        found += [entry for entry in entries if isinstance(entry, Cell)]
+        return (*found, *self.rounds)
 
 
 @final
@@ -124,11 +128,13 @@ class PrintedEvolution:
     angles : tuple of str
         Gripper angles of the second action and those that follow, from the first one on.
     rows : tuple of tuple of str
-        The distribution after each action.
+        The distribution after each action; empty where a probability is not printed.
     costs : dict of int to str
         The costs that are printed, by number of steps.
     angle_erratum, cost_erratum : Erratum or None
         Why these do not hold.
+    rounds : tuple of str
+        Mean numbers of rounds of the plans of one step, two steps and so on.
     """
 
     figure: str
@@ -138,6 +144,7 @@ class PrintedEvolution:
     costs: dict[int, str]
     angle_erratum: Erratum | None = None
     cost_erratum: Erratum | None = None
+    rounds: tuple[str, ...] = ()
 
 
 def evolution(
@@ -163,15 +170,24 @@ def evolution(
         hyperstate = outcome.hyperstate()
         widths = dict(zip(hyperstate.orientations, hyperstate.widths, strict=True))
         cells = (
-            Cell(Probability(widths.get(state, ZERO)), text, None)
+            _beside(Probability(widths.get(state, ZERO)), text)
             for state, text in zip(states, texts, strict=True)
         )
         rows.append(EvolutionRow(angle, tuple(cells)))
     costs: list[Cell | Shown] = []
     for steps in range(1, plan.steps + 1):
         cost, price = problem.expected_cost(steps), printed.costs.get(steps)
-        costs.append(cost if price is None else Cell(cost, price, printed.cost_erratum))
-    return Evolution(printed.figure, plan, tuple(states), tuple(rows), tuple(costs))
+        costs.append(_beside(cost, price, printed.cost_erratum))
+    rounds = tuple(
+        Cell(TurnRatio(mpq(1), preimage.width, inverse=True), text, None)
+        for preimage, text in zip(problem.preimages, printed.rounds, strict=False)
+    )
+    return Evolution(printed.figure, plan, tuple(states), tuple(rows), tuple(costs), rounds)
+
+
+def _beside(number: Shown, printed: str | None, erratum: Erratum | None = None) -> Cell | Shown:
+    """Return a cell where something is printed, and otherwise the number alone."""
+    return Cell(number, printed, erratum) if printed else number
 
 
 def _cumulative_middles(plan: FeedingPlan) -> list[HalfAngle]:

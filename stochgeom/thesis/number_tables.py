@@ -13,9 +13,10 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, TypeAlias, final
 
-from gmpy2 import mpq
+from gmpy2 import is_square, isqrt, mpq
 
-from stochgeom.exact.decimals import rational_decimal
+from stochgeom.exact.balls import rational_ball
+from stochgeom.exact.decimals import certified_decimal, rational_decimal
 from stochgeom.thesis.appendix_g import FIGURES_G
 from stochgeom.thesis.chapter_6 import (
     FIGURE_6_4_ERRATA,
@@ -56,6 +57,27 @@ class ExactNumber:
     def decimal(self, digits: int = 4) -> str:
         """Return the number as a correctly rounded decimal."""
         return rational_decimal(self.value, digits)
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class SquareRoot:
+    """The root of a rational number, such as a standard deviation.
+
+    Examples
+    --------
+    >>> SquareRoot(mpq(2)).decimal(3), SquareRoot(mpq(9, 16)).decimal(2)
+    ('1.414', '0.75')
+    """
+
+    square: mpq
+
+    def decimal(self, digits: int = 4) -> str:
+        """Return the number as a correctly rounded decimal."""
+        n, d = self.square.numerator, self.square.denominator
+        if is_square(n) and is_square(d):
+            return rational_decimal(mpq(isqrt(n), isqrt(d)), digits)
+        return certified_decimal(lambda: rational_ball(self.square).sqrt(), digits)
 
 
 @final
@@ -152,6 +174,10 @@ def evolution_table(title: str, evolution: Evolution) -> NumberTable:
     rows += [
         (f"cost of {steps} step{'s' * (steps > 1)}", cost, *blank)
         for steps, cost in enumerate(evolution.costs, start=1)
+    ]
+    rows += [
+        (f"rounds of {steps} step{'s' * (steps > 1)}", mean, *blank)
+        for steps, mean in enumerate(evolution.rounds, start=1)
     ]
     return NumberTable(title, ("gripper angle", *states), tuple(rows))
 

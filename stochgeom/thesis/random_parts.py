@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import comb
 from typing import Final, final
 
 import numpy as np
@@ -20,7 +21,7 @@ from stochgeom.feeding.preimages import preimages
 from stochgeom.geometry.hull import convex_hull
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Points
-from stochgeom.thesis.number_tables import ExactNumber, NumberTable
+from stochgeom.thesis.number_tables import ExactNumber, NumberTable, SquareRoot
 from stochgeom.thesis.tables import Cell
 from stochgeom.transfer.squeeze import squeeze_function
 
@@ -103,6 +104,27 @@ def comparison(index: int) -> Comparison:
     )
 
 
+def expected_sides(points: int) -> mpq:
+    """Return the exact mean number of corners of the hull of random points of a square.
+
+    Of all pairs of points those are edges that have all others on one side. A pair's line cuts off
+    a triangle of legs a and b at one of four corners, with the density a b / 3 of its legs over the
+    unit square (chord**3 / 3 times the measure of lines), or runs from side to side at heights s
+    and t, in two ways, with the density 1 / 3; the areas are a b / 2 and (s + t) / 2.
+
+    Examples
+    --------
+    >>> expected_sides(3), expected_sides(4)
+    (mpq(3,1), mpq(133,36))
+    """
+    others = points - 2
+    cut_off = mpq(1, 2**others * (others + 2) ** 2) + sum(
+        comb(others, k) * mpq((-1) ** k, 2**k * (k + 2) ** 2) for k in range(others + 1)
+    )
+    across = 2 * mpq(2 ** (others + 2) - 2, 2**others * (others + 1) * (others + 2))
+    return mpq(comb(points, 2), 3) * (4 * cut_off + 2 * across)
+
+
 Tell = Callable[[float], None]
 
 
@@ -118,10 +140,14 @@ def searched_parts(title: str, count: int = SOURCE_PARTS, tell: Tell | None = No
         if tell is not None:
             tell((index + 1) / count)
     sides = mpq(sum(trial.sides for trial in trials), count)
+    spread = mpq(sum((trial.sides - sides) ** 2 for trial in trials)) / count
+    error = SquareRoot(spread / SOURCE_PARTS)
     solved = mpq(100 * sum(trial.solved for trial in trials), count)
     by_tree = mpq(100 * sum(t.solved and t.generated <= NODE_LIMIT for t in trials), count)
     rows = (
         ("mean number of sides", ExactNumber(sides), "5.9"),
+        ("its expectation, exactly", ExactNumber(expected_sides(POINTS)), ""),
+        (f"standard error of a mean of {SOURCE_PARTS}", error, ""),
         ("percent solved, each hyperstate counted once", ExactNumber(solved), "99"),
         ("percent solved, duplicates counted", ExactNumber(by_tree), ""),
     )

@@ -11,7 +11,7 @@ from gmpy2 import mpq
 from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.decision.entropy import entropy
 from stochgeom.decision.exhaustive_plans import count_plans
-from stochgeom.decision.goal_costs import GuaranteedCost
+from stochgeom.decision.goal_costs import GoalCost, GuaranteedCost
 from stochgeom.decision.infinity import INFINITE, is_infinite
 from stochgeom.decision.plan_search import find_plan
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -20,14 +20,14 @@ from stochgeom.exact.quotients import number_decimal
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.sensing.one_step import one_step_plan
 from stochgeom.sensing.sensors import Sensor
-from stochgeom.thesis.chapter_6 import PRINTED_PLANS
+from stochgeom.thesis.chapter_6 import PRINTED_PLANS, figure_6_4_printed
 from stochgeom.thesis.facts import Fact, Facts, equal, fraction
 from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from stochgeom.tilting.beta_density import BetaDensity
 from stochgeom.tilting.counts import TransitionCounts
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.shortest_path import shortest_path_tilt_plan
-from stochgeom.tilting.states import ACTIONS
+from stochgeom.tilting.states import ACTIONS, CANONICAL, STATES
 from stochgeom.tilting.tilt_plans import evaluate_tilt_plan
 
 PRIOR: Final = tuple(Fraction(k, 10) for k in (6, 1, 1, 1, 1))
@@ -172,16 +172,54 @@ def information_of_a_sensor() -> Facts:
 
 
 def length_of_cheap_plans() -> Facts:
-    """Show that costs above 0 do not bound the length of a plan unless they stay away from 0."""
-    shrinking = [sum((mpq(1, 2**k) for k in range(1, n + 1)), start=mpq(0)) for n in (1, 10, 100)]
-    constant = next(n for n in range(1, 1000) if n * mpq(1, 100) >= 1)
+    """Show that the best plan may have any length if an action costs nothing.
+
+    The action moves the one state to the goal with 1/2, so that each more of it halves what is
+    left. Where every action costs something, finitely many of them cost no less than some e > 0,
+    and C / e actions cost more than C, the loss of doing nothing.
+    """
+    lengths, priced = [], []
+    problem = PlanningProblem(["away", "goal"], [1, 0], ["try"], [[["1/2", "1/2"], [0, 1]]])
+    horizons = (1, 2, 5, 20)
+    for horizon in horizons:
+        free = find_plan(problem, horizon, GoalCost("goal", 0))
+        lengths.append((len(free.plan), free.cost))
+        priced.append(len(find_plan(problem, horizon, GoalCost("goal", "1/1000")).plan))
     return (
-        Fact(
-            "cost of 100 actions of 1/2, 1/4, ..., as its distance from 1",
-            f"2^-{(1 - shrinking[-1]).denominator.bit_length() - 1}",
-            shrinking[-1] < 1,
+        equal(
+            "actions of the best plan of a free action, horizons 1, 2, 5, 20",
+            tuple(length for length, _ in lengths),
+            horizons,
         ),
-        equal("actions that cost 1/100 or more each and 1 together, at most", constant, 100),
+        equal("its cost", [cost for _, cost in lengths], [mpq(1, 2**k) for k in horizons]),
+        equal("if an action costs 1/1000", priced, [1, 2, 5, 9]),
+        equal(
+            "longest that is best there, of up to 30",
+            len(find_plan(problem, 30, GoalCost("goal", "1/1000")).plan),
+            9,
+        ),
+    )
+
+
+def states_of_the_tray() -> Facts:
+    """Show that corners and sides, horizontal or vertical, are sixteen, and the states twelve."""
+    places = [place for place in product((-1, 0, 1), repeat=2) if any(place)]
+    described = {(*place, lies) for place in places for lies in (True, False)}
+    named = {(state.right, state.up, state.horizontal) for state in CANONICAL}
+    left_out = described - named
+    return (
+        equal("four corners and four sides, each in two ways", len(described), 16),
+        equal(
+            "states, by the matrix of Fig. 6.4 and the goals of Table 6.1",
+            len(figure_6_4_printed()),
+            STATES,
+        ),
+        equal("of the twelve, in corners", sum(state.is_corner for state in CANONICAL), 8),
+        equal(
+            "left out: at a side, with the short edge against the wall",
+            sorted(left_out),
+            sorted((x, y, x != 0) for x, y in places if x * y == 0),
+        ),
     )
 
 

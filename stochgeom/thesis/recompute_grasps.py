@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import pairwise
 from typing import Final
 
@@ -106,26 +105,6 @@ def text_of_appendix_c() -> Facts:
     )
 
 
-def sign_of_the_potential() -> Facts:
-    """Show that stable orientations are minima of U = +k d^2 / 2, so not of its negative."""
-    below = above = 0
-    for name in catalogue_names():
-        d = DiameterFunction(catalogue_part(name))
-        for low in d.minima:
-            beside = sorted(d.maxima, key=partial(_distance, low))[:2]
-            is_minimum = all(d.potential(low) < d.potential(high) for high in beside)
-            below, above = below + is_minimum, above + (not is_minimum)
-    return (
-        equal("stable orientations whose d^2 / 2 is not below that of the maxima beside", above, 0),
-        Fact("of all parts, those where it is", str(below), below > 0),
-    )
-
-
-def _distance(theta: Angle, other: Angle) -> Angle:
-    """Return how far apart two orientations are, read modulo half a turn."""
-    return min((other - theta) % HALF_TURN, (theta - other) % HALF_TURN)
-
-
 def sweep_of_appendix_d() -> Facts:
     """Show that the longest chord of the orthogonal interval need not touch the jaws."""
     wrong = {name: _pieces_the_sweep_misses(catalogue_part(name)) for name in catalogue_names()}
@@ -183,6 +162,10 @@ def angles_of_figure_e_5() -> Facts:
         [t for t in (sense * turn % 360 for turn in turns) if t - 2 * error > widest]
         for sense in (1, -1)
     ]
+    alone = [
+        [t for t in (sense * value % 360 for value in values) if t - error > widest]
+        for sense in (1, -1)
+    ]
     low, high = 2 * (values[0] + error), (values[1] - error) - (values[0] + error)
     ours = [
         a.low + a.high for a in evolution.plan.actions if a.low is not None and a.high is not None
@@ -200,6 +183,14 @@ def angles_of_figure_e_5() -> Facts:
             bool(too_wide[0]),
         ),
         Fact("and the other way", str([*map(str, too_wide[1])]), bool(too_wide[1])),
+        *(
+            Fact(
+                f"printed angles that are larger, each a turn of its own, counted {way}",
+                ", ".join(map(str, large)),
+                bool(large),
+            )
+            for way, large in zip(("one way", "the other way"), alone, strict=True)
+        ),
         Fact(
             "as middles the second increment is less than twice the first, at most",
             places(low, 1),

@@ -9,7 +9,6 @@ from gmpy2 import mpq
 from stochgeom.decision.piecewise_prior import PiecewisePrior
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
-from stochgeom.exact.directions import nominal_angle
 from stochgeom.feeding.adversarial import FAMILIES
 from stochgeom.feeding.preimages import preimages
 from stochgeom.feeding.problem import FeedingProblem
@@ -108,48 +107,6 @@ def first_step_of_figure_5_1() -> Facts:
     return tuple(facts)
 
 
-def closure_of_lemma_5_1() -> Facts:
-    """Show that push-grasps may collapse two arcs, and not the smallest contiguous set of both."""
-    problem = FeedingProblem(catalogue_part("4gon"), "push-grasp")
-    plan = problem.plan_of(len(list(problem.preimages)) - 1)
-    mouth, width = plan.mouth, Angle.from_degrees(10)
-    ends = (Arc(mouth.start, width), Arc(mouth.end - width, width))
-    finals = [plan.execute_arc(arc)[-1] for arc in ends]
-    inside, outside = mouth.width - 2 * width, FULL_TURN - mouth.width
-    between = nominal_angle(mouth.end, mouth.start + FULL_TURN)
-    squeezed = [
-        FeedingProblem(catalogue_part(name)).geometric_plan().mouth.width
-        for name in catalogue_names()
-    ]
-    return (
-        Fact(
-            f"degrees of the 4gon that {plan.steps} push-grasps collapse",
-            mouth.width.degrees(2),
-            not plan.execute_arc()[-1].width and mouth.width > HALF_TURN,
-        ),
-        Fact(
-            "  both ends of that arc, 10 degrees each, end at",
-            ", ".join(final.start.reduced().degrees(2) for final in finals),
-            finals[0] == finals[1] and not finals[0].width,
-        ),
-        Fact(
-            "  the gaps between them, inside and outside of it: the smaller one is outside",
-            f"{inside.degrees(2)}, {outside.degrees(2)}",
-            outside < inside,
-        ),
-        Fact(
-            f"  {between.reduced().degrees(2)} degrees, in that gap, ends at",
-            plan.execute(between)[-1].reduced().degrees(2),
-            plan.execute(between)[-1].reduced() != finals[0].start.reduced(),
-        ),
-        Fact(
-            "degrees that squeezes collapse, at most, of the eight parts",
-            max(squeezed).degrees(2),
-            max(squeezed) <= HALF_TURN,
-        ),
-    )
-
-
 def cost_in_figure_5_8() -> Facts:
     """Show that phase II has to weigh (i + c): the best number of steps depends on c."""
     found = []
@@ -175,7 +132,9 @@ def period_and_symmetry() -> Facts:
     rotations = [k for k in range(5) if edges[k:] + edges[:k] == edges]
     period = squeeze_function(part).period
     t_r = HALF_TURN  # r = 1: 2 pi / (r (1 + r mod 2))
-    push = push_grasp_function(catalogue_part("rectangle")).period
+    rectangle = catalogue_part("rectangle")
+    push = push_grasp_function(rectangle).period
+    aside = push_grasp_function(Part(rectangle.vertices, ("1.9", 1))).period
     return (
         equal(
             "rotations of the edges of the part that leave their lengths as they are",
@@ -190,6 +149,11 @@ def period_and_symmetry() -> Facts:
         ),
         equal(
             "period of the rectangle's push-grasps, r = 2, divides 2 pi / r", HALF_TURN % push, ZERO
+        ),
+        equal(
+            "with the centre of mass aside, at (1.9, 1), r of part and centre is 1, the period",
+            aside,
+            FULL_TURN,
         ),
     )
 

@@ -12,8 +12,14 @@ from typing import Final
 from gmpy2 import mpq
 
 from stochgeom.geometry.part import Part
-from stochgeom.thesis.chapter_6 import PRINTED_PLANS
-from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable
+from stochgeom.thesis.chapter_6 import (
+    PRINTED_MEAN_TILTS,
+    PRINTED_PLANS,
+    PRINTED_SD_TILTS,
+    unanimous_trials,
+)
+from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable, SquareRoot
+from stochgeom.tilting.all_plans import best_tilt_plans
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.experiment import EXECUTIONS, TRIALS, measure_tilt_plans
 from stochgeom.tilting.gripper import SimulatedGripper, random_grasps
@@ -55,14 +61,57 @@ def tilt_table(
         )
         for printed, found in zip(PRINTED_PLANS, measured, strict=True)
     ]
+    best = [plan.steps for plan in best_tilt_plans(model).values()]
+    mean = mpq(sum(best), len(best))
+    variance = sum((steps - mean) ** 2 for steps in best) / (len(best) - 1)
+    rows += [
+        (
+            "",
+            "",
+            f"mean tilts, best plans of {len(best)} instances",
+            PRINTED_MEAN_TILTS,
+            ExactNumber(mean),
+            "",
+            "",
+        ),
+        (
+            "",
+            "",
+            "standard deviation of these",
+            PRINTED_SD_TILTS,
+            SquareRoot(variance),
+            "",
+            "",
+        ),
+    ]
     header = ("start", "goal", "plan", "source", "estimated", "source", "measured")
     notes = (
         (
             f"Estimated from {trials} trials, measured in {executions} executions of the simulated "
             f"robot, seed {SEED}: another robot than the source's, so that nothing is judged."
         ),
+        (
+            f"Of the {model.counts.states**2} pairs of states {model.counts.states} have the start "
+            "for goal, and need no plan."
+        ),
+        _one_tilt_note(),
     )
     return NumberTable(title, header, tuple(rows), notes)
+
+
+def _one_tilt_note() -> str:
+    """Return how many trials would explain the printed estimates of plans of one tilt."""
+    known = {
+        p.estimated: unanimous_trials(p.estimated) for p in PRINTED_PLANS if len(p.actions) == 1
+    }
+    shown = [
+        f"{text} ({found[0]})" if len(found) == 1 else f"{text} ({found[0]} to {found[-1]})"
+        for text, found in sorted(known.items())
+    ]
+    return (
+        "Printed estimates of plans of one tilt, and numbers of trials, all with the same outcome, "
+        f"that give them: {', '.join(shown)}."
+    )
 
 
 def gripper_table(title: str, grasps: int = GRASPS, tell: Tell | None = None) -> NumberTable:

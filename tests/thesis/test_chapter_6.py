@@ -18,6 +18,7 @@ from stochgeom.thesis.chapter_6 import (
     figure_6_4_model,
     figure_6_4_printed,
     recover_counts,
+    unanimous_trials,
 )
 from stochgeom.tilting.beta_density import BetaDensity
 from stochgeom.tilting.counts import TransitionCounts
@@ -38,6 +39,50 @@ RECOVERED = {
     11: {11: 14},
     12: {12: 12},
 }
+
+TABLE_6_1 = """
+1 3 (4) .98
+1 2 (9 7 3) .97
+1 4 (5) .97
+1 5 (6 2 7) .98
+1 6 (4 7 4) .98
+1 7 (9 6) .97
+1 9 (10 10 7) .97
+1 8 (9 7) .98
+1 10 (9) .99
+1 11 (9 1) .98
+1 12 (10 2 10) .97
+8 1 (5 11 2) .62
+2 1 (10 2 3) .67
+2 3 (11 4) .98
+"""
+TABLE_6_2 = """
+2 3 (11 4) .98 .99
+2 1 (10 2 3) .67 .85
+"""
+"""As the source prints them."""
+
+
+def as_printed(plan):
+    return f"{plan.start} {plan.goal} ({' '.join(map(str, plan.actions))}) {plan.estimated}"
+
+
+def test_the_plans_are_the_printed_ones():
+    assert [as_printed(plan) for plan in PRINTED_PLANS] == TABLE_6_1.split("\n")[1:-1]
+    measured = [f"{as_printed(plan)} {plan.measured}" for plan in PRINTED_PLANS if plan.measured]
+    assert sorted(measured) == sorted(TABLE_6_2.split("\n")[1:-1])
+    assert (PRINTED_MEAN_TILTS, PRINTED_SD_TILTS) == ("2.4", "0.75")
+
+
+def test_estimates_of_one_tilt_ask_for_few_trials():
+    """(n + .01) / (n + .12) if all n trials of the tilt ended alike."""
+    one_tilt = [plan for plan in PRINTED_PLANS if len(plan.actions) == 1]
+    found = {plan.goal: unanimous_trials(plan.estimated) for plan in one_tilt}
+    assert found == {3: (5, 6, 7), 4: (4,), 10: tuple(range(8, 22))}
+    for trials in found.values():
+        for n in trials:
+            model = TransitionModel(TransitionCounts([[[n] + [0] * 11] * 12]))
+            assert model.probability(1, 1, 1) == mpq(100 * n + 1, 100 * n + 12)
 
 
 def test_the_counts_of_figure_6_4():

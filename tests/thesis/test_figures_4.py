@@ -14,6 +14,8 @@ from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.execution import composite
 from stochgeom.feeding.planner import FeedingProblem, orient_up_to_symmetry, plan_feeding
 from stochgeom.geometry.part import Part
+from stochgeom.plotting.source_figures import RECTANGLE_STARTS
+from stochgeom.thesis.figures_4 import figure_4_5
 from stochgeom.thesis.parts import catalogue_part
 from stochgeom.transfer.squeeze import squeeze_function
 from tests.strategies import directions, fractions, points, rational_points
@@ -45,6 +47,24 @@ def rotations(row):
     return [row[k:] + row[:k] for k in range(len(row))]
 
 
+class TestFigure41:
+    """The rectangle (Fig. 1.1 as well): four initial orientations, one final one."""
+
+    plan = FeedingProblem(catalogue_part("rectangle")).geometric_plan()
+    starts = tuple(map(Angle.from_degrees, RECTANGLE_STARTS))
+
+    def test_all_four_traces_end_alike(self):
+        assert self.plan.steps == 2
+        traces = [self.plan.execute(start) for start in self.starts]
+        assert len({trace[0] for trace in traces}) == 4
+        assert len({trace[1] for trace in traces}) == 2  # one squeeze is not enough
+        assert {trace[-1] for trace in traces} == {HALF_TURN}
+
+    def test_starts_elsewhere_end_half_a_turn_away(self):
+        ends = {self.plan.execute(start + HALF_TURN)[-1].reduced() for start in self.starts}
+        assert ends == {ZERO}
+
+
 class TestFigure45:
     """The house: a random squeeze, then one at 45 degrees."""
 
@@ -69,6 +89,21 @@ class TestFigure45:
         assert self.problem.probability(1).decimal(2) == "0.40"
         assert self.problem.probability(2).rational == Fraction(1, 2)
         assert self.problem.optimal_plan().steps == 1
+
+    def test_what_the_source_prints_is_judged_and_nothing_else(self):
+        """The caption has 45; the text has .40, .50, 2.5 and 2.0 rounds, 5.0 and 6.0."""
+        found = figure_4_5()
+        printed = [cell.printed for cell in found.cells]
+        assert printed == ["45", "0.40", "0.50", "5.0", "6.0", "2.5", "2.0"]
+        assert all(cell.agrees for cell in found.cells)
+        assert sum(len(row.cells) for row in found.rows) == 8  # six of them computed only
+
+    def test_rounds_are_the_inverse_of_the_probability(self):
+        rounds = [cell.computed for cell in figure_4_5().rounds]
+        for steps, mean in enumerate(rounds, start=1):
+            assert (steps + 1) * mean.coefficient == self.problem.expected_cost(steps).coefficient
+            assert mean.angle == self.problem.preimages.of_steps(steps).width
+        assert rounds[1].rational == 2
 
 
 class TestFigure46:

@@ -16,6 +16,7 @@ from stochgeom.decision.iterative_costs import IterativeCost
 from stochgeom.decision.perfect_information import observed_policy
 from stochgeom.decision.plan_search import best_action, find_plan
 from stochgeom.decision.planning_problem import PlanningProblem
+from stochgeom.decision.rounds import Rounds
 from stochgeom.decision.two_argmins import two_argmins
 from stochgeom.decision.uniform_difference import simulated_difference
 
@@ -54,6 +55,16 @@ def test_section_2_3_the_die():
     # The sum of the source: p 1 + p (1 - p) 2 + ..., to 400 terms.
     partial = sum(n * rounds.probability_of(n) for n in range(1, 400))
     assert 6 - partial < mpq(1, 10**28)
+
+
+def test_section_4_1_one_step_or_two():
+    """A step that succeeds with .8 takes 1 / .8 = 1.25 rounds and time units; two steps take 2."""
+    one, two = Rounds(mpq(4, 5)), Rounds(mpq(1))
+    assert one.mean == mpq(5, 4)
+    assert (1 * one.mean, 2 * two.mean) == (mpq("1.25"), 2)
+    # By adding up what the mean stands for: 1 with .8, 2 with .2 .8, ...
+    partial = sum(n * mpq(4, 5) * mpq(1, 5) ** (n - 1) for n in range(1, 60))
+    assert 0 < one.mean - partial < mpq(1, 10**38)
 
 
 def test_equation_6_3_an_urn():

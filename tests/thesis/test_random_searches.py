@@ -67,11 +67,17 @@ def test_the_table_counts_what_the_trials_say():
     """Means and percentages, added up apart."""
     trials = [search_trial(index) for index in range(25)]
     table = searched_parts("sec4.8", 25)
-    numbers = [mpq(row[1].value) for row in table.rows]
-    assert numbers[0] == mpq(sum(trial.sides for trial in trials), 25)
-    assert numbers[1] == 4 * sum(trial.solved for trial in trials)
-    assert numbers[2] == 4 * sum(t.solved and t.generated <= 1000 for t in trials)
-    assert [row[2] for row in table.rows] == ["5.9", "99", ""]
+    rows = {row[0]: row[1:] for row in table.rows}
+    assert len(rows) == len(table.rows)
+    numbers = {name: mpq(row[0].value) for name, row in rows.items() if "error" not in name}
+    assert numbers["mean number of sides"] == mpq(sum(trial.sides for trial in trials), 25)
+    solved = "percent solved, each hyperstate counted once"
+    assert numbers[solved] == 4 * sum(trial.solved for trial in trials)
+    assert numbers["percent solved, duplicates counted"] == 4 * sum(
+        t.solved and t.generated <= 1000 for t in trials
+    )
+    printed = {name: row[1] for name, row in rows.items() if row[1]}
+    assert printed == {"mean number of sides": "5.9", solved: "99"}
 
 
 def test_section_5_9_the_plans_of_exhaustive_search():

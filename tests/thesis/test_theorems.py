@@ -30,6 +30,8 @@ from stochgeom.feeding.exhaustive import search_plans
 from stochgeom.feeding.planner import FeedingProblem
 from stochgeom.feeding.preimages import preimages
 from stochgeom.geometry.part import Part
+from stochgeom.thesis.parts import catalogue_part
+from stochgeom.transfer.push_grasp import push_grasp_function
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
 from tests.strategies import (
@@ -134,16 +136,44 @@ def maps_and_widths(draw):
 
 @given(maps, actions)
 def test_lemma_5_1(s, turns):
-    """If a plan collapses a set, it collapses the closure of it.
+    """If a plan collapses a set, it collapses the closure of it: for T <= pi, the shorter arc.
 
-    Refuted by two orientations that a plan brings to one state, with one between them on either
-    side that it does not bring there.
+    Refuted by two orientations that a plan brings to one state, with one on the shorter of the arcs
+    between them that it does not bring there; for a T of a full turn, with one on either arc.
     """
-    states = [state for _, state in outcomes(s, turns)]
-    for i, k in combinations(range(len(states)), 2):
-        if states[i] == states[k]:
-            inside, outside = states[i:k], states[k:] + states[:i]
-            assert set(inside) == {states[i]} or set(outside) == {states[i]}
+    found = outcomes(s, turns)
+    for i, k in combinations(range(len(found)), 2):
+        (first, state), (second, other) = found[i], found[k]
+        if state != other:
+            continue
+        # From the starts of two steps on, which are their first orientations.
+        way = (second.start - first.start) % FULL_TURN
+        inside = {end for _, end in found[i : k + 1]}
+        outside = {end for _, end in found[k:] + found[: i + 1]}
+        if s.period <= HALF_TURN:
+            assert way != HALF_TURN
+            assert (inside if way < HALF_TURN else outside) == {state}
+        else:
+            assert {state} in (inside, outside)
+
+
+def test_lemma_5_1_fails_for_push_grasps_as_printed():
+    """The smallest contiguous set around two orientations that a plan merges is not collapsed.
+
+    Two push-grasps of App. E's house bring both ends of an arc of less than half a turn to 90
+    degrees, and what lies between them, all but two degrees, to 270.
+    """
+    problem = FeedingProblem(catalogue_part("house", appendix="E"), "push-grasp")
+    assert problem.transfer.period == FULL_TURN
+    turns = [action.angle for action in problem.plan_of(2).actions]
+    ends = {
+        degrees: run_angle(problem.transfer, turns, Angle.from_degrees(degrees))[-1].reduced()
+        for degrees in (34, *range(36, 180, 8), 180, *range(181, 394, 8))
+    }
+    here, there = Angle.from_degrees(90), Angle.from_degrees(270)
+    assert ends[34] == ends[180] == here  # 146 degrees apart, less than half a turn
+    assert {end for degrees, end in ends.items() if 34 < degrees < 180} == {there}
+    assert {end for degrees, end in ends.items() if degrees > 180} == {here}  # the longer arc
 
 
 @given(maps, actions)
@@ -390,6 +420,32 @@ def test_period_divides_t_r(part):
     assert r in {1, 2, 4}
     t_r = Angle.from_turns(mpq(1, r * (1 + r % 2)))
     assert t_r % period == ZERO
+
+
+@settings(max_examples=min(200, settings.default.max_examples))
+@given(st.one_of(any_part, symmetric_hulls(), rational_parts()), st.data())
+def test_period_of_push_grasps(part, data):
+    """It divides 2 pi / r for the r of the part with its centre of mass.
+
+    That is r of the outline with the centre at the centroid, and 1 elsewhere if a centre can be
+    elsewhere. Refuted by a part with a period that does not divide it.
+    """
+    uniform = Part(part.hull.points.pairs())
+    r = rotational_symmetry(uniform)
+    period = push_grasp_function(uniform).period
+    assert Angle.from_turns(mpq(1, r)) % period == ZERO
+    # A centre of mass between the centroid and a corner is carried to itself by no rotation.
+    corner = data.draw(st.sampled_from(uniform.vertices))
+    aside = [(3 * c + v) / 4 for c, v in zip(uniform.center_of_mass, corner, strict=True)]
+    assert FULL_TURN % push_grasp_function(Part(uniform.vertices, aside)).period == ZERO
+
+
+def test_period_of_push_grasps_with_the_centre_aside():
+    """A rectangle, r = 2: 180 degrees with its centre in the middle, and 360 beside it."""
+    corners = [(0, 0), (3, 0), (3, 2), (0, 2)]
+    assert rotational_symmetry(Part(corners)) == 2
+    assert push_grasp_function(Part(corners)).period == HALF_TURN
+    assert push_grasp_function(Part(corners, ("1.9", 1))).period == FULL_TURN
 
 
 def test_period_can_be_smaller_than_t_r():

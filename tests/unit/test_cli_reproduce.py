@@ -46,7 +46,7 @@ class TestNumbers:
         assert counts == {
             "3.1": (24, 1),
             "4.1": (30, 2),
-            "fig4.5": (11, 0),
+            "fig4.5": (7, 0),
             "fig4.6": (35, 0),
             "fig6.4": (142, 2),
             "sec7.2": (0, 0),
@@ -69,7 +69,9 @@ class TestNumbers:
     def test_experiments_on_few_parts(self):
         told = []
         found = searched_parts("a", 5, told.append)
-        assert found.rows[1][1].decimal(0) == "100"
+        assert found.rows[3][1].decimal(0) == "100"
+        assert [row[2] for row in found.rows] == ["5.9", "", "", "99", ""]
+        assert found.rows[1][1].decimal(3) == "5.962"
         assert compared_parts("b", 3, told.append).verdicts[Verdict.REPRODUCED] == 1
         assert told[4] == told[-1] == 1.0
 
@@ -78,6 +80,15 @@ class TestNumbers:
         for found in (gripper_table("a", 2), tilt_table("b", 12, 1)):
             assert not list(found.cells)
             assert "judged" in found.notes[0]
+        *plans, mean, spread = found.rows
+        assert len(plans) == 14
+        assert mean[2:4] == ("mean tilts, best plans of 132 instances", "2.4")
+        assert spread[3] == "0.75"
+        assert 1 <= mean[4].value <= 3
+        assert "144 pairs of states 12 have the start for goal" in found.notes[1]
+        assert ".97 (4), .98 (5 to 7), .99 (8 to 21)" in found.notes[2]
+        printed = [row[3] for row in gripper_table("a", 2).rows]
+        assert printed == ["126/250"] * 2 + ["250/250"] * 2
         assert [row[2] for row in gripper_table("a", 4).rows[2:]] == ["4/4", "4/4"]
 
 
@@ -220,6 +231,20 @@ class TestOutput:
         assert entries(tmp_path) == ["fig-A.1.svg", "summary.json", "summary.txt"]
         with pytest.raises(UnknownReproductionError, match=r"'fig4\.99'; accepted: fig1\.1"):
             chosen_names(["fig4.99"], every=False, long=False)
+
+    @pytest.mark.parametrize(
+        ("name", "drawing", "friction"),
+        [
+            ("fig3.5", "draw_push_stability", ()),
+            ("fig3.6", "draw_squeeze_stability", ("1/4",)),
+            ("fig3.7", "draw_grasp_diagram", ("1/4",)),
+        ],
+    )
+    def test_diagrams_of_chapter_3_are_of_a_square(self, monkeypatch, name, drawing, friction):
+        """As their captions say, with mu = .25."""
+        monkeypatch.setattr(source_figures, drawing, lambda *given: given)
+        assert SOURCE_FIGURES[name].draw() == (((0, 0), (1, 0), (1, 1), (0, 1)), *friction)
+        assert "square" in SOURCE_FIGURES[name].title
 
     @pytest.mark.parametrize("name", SOURCE_FIGURES)
     def test_a_picture(self, name):
