@@ -16,6 +16,7 @@ So a triangle cannot be told from the hexagon of the same diameter function.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, final
 
@@ -83,7 +84,7 @@ class RecognitionProblem:
     >>> print(plan.tree.text(2))
     read diameter
       2 (0.81)
-        do 90.0000
+        turn 90.0000°, squeeze
         read diameter
           2 (0.62): square (0.00)
           3 (0.38): plate (5.00)
@@ -156,7 +157,7 @@ class RecognitionProblem:
         **more
             As for `sensor_plan`.
         """
-        return sensor_plan(
+        plan = sensor_plan(
             self.problem,
             {self.sensor.name: self.sensor},
             horizon,
@@ -164,6 +165,7 @@ class RecognitionProblem:
             decisions=self.decisions(mistake_cost),
             **more,
         )
+        return replace(plan, tree=replace(plan.tree, action_form="turn {}°, squeeze"))
 
     def recognised(self, plan: SensorPlan) -> Any:
         """Return the probability that a plan names the right part."""

@@ -202,7 +202,8 @@ class SensingProblem:
             time_limit=time_limit,
             progress=progress,
         )
-        return replace(plan, tree=replace(plan.tree, action_form="turn {}, squeeze"))
+        tree = replace(plan.tree, action_form="turn {}°, squeeze", decision_form="{}°")
+        return replace(plan, tree=tree)
 
     def compare_orders(
         self, actions: int, *, mixed: SensorPlan | None = None, **settings: Any

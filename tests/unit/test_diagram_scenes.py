@@ -187,6 +187,14 @@ class TestTreesOfPlans:
         plan = sg.iterative_sensor_plan(self.PROBLEM, sensor, stages=["sense", "act", "sense"])
         assert overlapping_labels(tree_scene(plan.tree)) == []
 
+    def test_angles_are_told_from_probabilities_and_distances(self):
+        """States and squeezes of a part are labelled by degrees, and say so."""
+        part = [(52, 58), (0, 55), (8, 17), (51, 0)]
+        tree = sg.SensingProblem(part, 1, "0.3").plan(stages=["act", "sense"]).tree
+        moves = [text for text in tree_scene(tree).labels() if text.startswith(("accept", "turn"))]
+        assert {text.split()[0] for text in moves} == {"accept", "turn"}
+        assert all("°" in text.split(" (")[0] for text in moves)
+
     def test_an_arc_spans_the_branches_of_a_sensing(self):
         sensor = sg.Sensor.perfect(["a", "b", "c"])
         tree = sg.iterative_sensor_plan(self.PROBLEM, sensor, stages=["sense"]).tree
