@@ -155,6 +155,8 @@ def save_figure(
 ) -> Path:
     """Write the figure of a picture: the same bytes every time, whole or not at all.
 
+    The bytes do not depend on what the figure was saved as before.
+
     Parameters
     ----------
     picture : Axes, tuple of Axes, or Figure
@@ -193,9 +195,23 @@ def save_figure(
     figure: Any = one.get_figure(root=True) if hasattr(one, "get_figure") else one
     if not hasattr(figure, "savefig"):
         raise InputError(f"{picture!r:.60} is no picture; accepted: Axes or a Figure of matplotlib")
+    _forget_layout(figure)
     content = BytesIO()
     # The salt makes the names inside SVG files the same each time.
     with matplotlib.rc_context({"svg.hashsalt": "stochgeom", "svg.fonttype": "path"}):
         figure.savefig(content, format=kind, dpi=dpi, metadata=_METADATA[kind])
     write_whole(target, content.getvalue())
     return target
+
+
+def _forget_layout(figure: Any) -> None:
+    """Put axes back where they stood before a layout was computed, which depends on that.
+
+    A figure that was saved with another number of dots per inch would else differ from a new one.
+    """
+    if figure.get_layout_engine() is None:
+        return
+    for ax in figure.axes:
+        place = ax.get_subplotspec()
+        if place is not None and ax.get_in_layout():
+            ax.set_subplotspec(place)

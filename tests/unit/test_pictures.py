@@ -144,6 +144,26 @@ class TestOnAxes:
         assert b"dc:date" not in first
         assert b"CreationDate" not in first
 
+    @pytest.mark.parametrize(
+        "name", ["draw_beta_density", "draw_diameter", "draw_sensed_blocks", "draw_risks"]
+    )
+    def test_what_was_saved_before_does_not_matter(self, name, tmp_path):
+        """Found with 90 dots per inch, after which labels and axes stood elsewhere."""
+        used, new = DRAWINGS[name](None), DRAWINGS[name](None)
+        sg.save_figure(used, tmp_path / "before.png", dpi=90)
+        for ending in ("svg", "png"):
+            for ax, path in ((used, tmp_path / f"1.{ending}"), (new, tmp_path / f"2.{ending}")):
+                sg.save_figure(ax, path, dpi=130)
+            assert (tmp_path / f"1.{ending}").read_bytes() == (
+                tmp_path / f"2.{ending}"
+            ).read_bytes()
+
+    def test_axes_that_were_placed_by_hand_stay_there(self, tmp_path):
+        ax = sg.draw_diameter(RECTANGLE)
+        ax.set_position((0.3, 0.3, 0.5, 0.5))
+        sg.save_figure(ax, tmp_path / "a.png", dpi=40)
+        assert ax.get_position().bounds == pytest.approx((0.3, 0.3, 0.5, 0.5))
+
     def test_graphs_that_are_drawn_together_are_saved_together(self, tmp_path):
         for pick, name in ((slice(None), "all.svg"), (-1, "one.svg")):
             graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
