@@ -22,6 +22,7 @@ from stochgeom.geometry.points import PointLike
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.plotting.arguments import expect
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
+from stochgeom.plotting.bar_numbers import Room, bar_half, has_line, numbers_over_bars
 from stochgeom.plotting.curves import (
     Bar,
     Steps,
@@ -31,7 +32,7 @@ from stochgeom.plotting.curves import (
     turns_for,
     wave_of,
 )
-from stochgeom.plotting.distributions import bars_of_state, spread
+from stochgeom.plotting.distributions import bars_of_state, possible
 from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks, wave_limits
 from stochgeom.plotting.scene import MINUS
 from stochgeom.plotting.styles import INK, STYLES
@@ -291,17 +292,40 @@ def draw_distribution(state: Hyperstate, ax: Axes | None = None) -> Axes:
     state = expect(state, Hyperstate, "a distribution, such as plan.distribution(1)")
     ax = axes_or_new(ax, (6.4, 2.4))
     places, shares = bars_of_state(state)
-    style = STYLES["bar"]
-    ax.bar(places, shares, width=3.0, facecolor=style.fill, edgecolor=style.stroke, linewidth=0.8)
+    style, half = STYLES["bar"], bar_half(places, 1.5, 0.2)
+    if half > 0.75:
+        ax.bar(places, shares, width=2 * half, facecolor=style.fill, edgecolor=style.stroke,
+               linewidth=0.8)  # fmt: skip
+    else:  # so close that nothing is seen between the edges of a bar
+        ax.vlines(places, 0.0, shares, colors=str(STYLES["curve"].stroke), linewidth=1.0)
     ax.set_ylim(0.0, 1.2 * max(shares))
     _degrees(ax, 1)
     ax.set_xlim(-6.0, 366.0)
     ax.set_ylabel("probability")
-    texts = state.probabilities(3) if len(state) <= _MOST_NUMBERS else ()
-    points = _points(ax)[0]
-    widths = [0.62 * LETTERS * (len(text) + 0.7) * 372.0 / points for text in texts]
-    placed = spread(places[: len(texts)], widths, -6.0, 366.0) or ()
-    for x, share, text in zip(placed, shares, texts, strict=False):
-        ax.annotate(text, (x, share), xytext=(0, 2), textcoords="offset points", ha="center",
-                    va="bottom", fontsize=LETTERS, color=INK)  # fmt: skip
+    if len(places) <= _MOST_NUMBERS:
+        texts = [t for k, t in enumerate(state.probabilities(3)) if possible(state, k)]
+        _write_over_bars(ax, places, shares, texts, half)
     return ax
+
+
+def _write_over_bars(
+    ax: Axes, places: Sequence[float], shares: Sequence[float], texts: Sequence[str], half: float
+) -> None:
+    """Write the bars' numbers above them and make room for these; they are placed in points."""
+    width, height = _points(ax)
+    across = width / 372.0
+    line = 1.35 * LETTERS
+    lines = 4 if len(places) > 1 and height > 10 * line else 1
+    up = (height - lines * line) / max(shares)
+    room = Room(-5.0 * across, 365.0 * across, height, half * across, line, 0.2 * LETTERS)
+    centers, tops = [x * across for x in places], [share * up for share in shares]
+    widths = [0.62 * LETTERS * (len(text) + 0.7) for text in texts]
+    found = numbers_over_bars(centers, tops, widths, room)
+    top = max(y for _, y in found.values()) + 1.1 * line if found else 0.0
+    # Less room than was reckoned with only moves the numbers apart.
+    ax.set_ylim(0.0, max(1.05 * max(shares), top / up))
+    for k, (x, y) in found.items():
+        if has_line(centers[k], tops[k], (x, y), room):
+            ax.vlines(places[k], shares[k], (y + 0.15 * line) / up, colors=INK, linewidth=0.5)
+        ax.text(x / across, (y + 0.5 * line) / up, texts[k], ha="center", va="center",
+                fontsize=LETTERS, color=INK)  # fmt: skip

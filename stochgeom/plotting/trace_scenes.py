@@ -152,7 +152,7 @@ def _add_distributions(scene: Scene, plan: FeedingPlan, left: float) -> None:
     scene.add(Label((left, CELL / 2 + 0.3), heading, 0.8 * _SIZE, "start"))
     add_prior(scene, strip(0), plan.prior, _SIZE)
     for row, outcome in enumerate(plan.outcomes(), start=1):
-        add_distribution(scene, strip(row), outcome.hyperstate(), _SIZE)
+        add_distribution(scene, strip(row), outcome.hyperstate(), _SIZE, 0.84 * CELL)
     add_scale(scene, strip(plan.steps), 0.8 * _SIZE)
 
 

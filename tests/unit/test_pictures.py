@@ -216,6 +216,22 @@ class TestOnAxes:
         ax = sg.draw_step_function(sg.squeeze_function(sg.Part.regular(41)), self.axes())
         assert len(ax.lines) == 1
 
+    def test_many_equal_bars_have_all_their_numbers(self):
+        """Found with 14 bars, which had lost all of them."""
+        state = sg.plan_feeding(sg.Part.regular(7)).distribution(1)
+        ax = sg.draw_distribution(state)
+        assert [text.get_text() for text in ax.texts] == ["0.071"] * 14
+        assert overlaps(ax) == []
+        for bar, text in zip(ax.patches, ax.texts, strict=True):
+            box = text.get_window_extent().transformed(ax.transData.inverted())
+            assert box.x0 - 2 <= bar.get_x() + bar.get_width() / 2 <= box.x1 + 2
+
+    def test_what_has_no_probability_has_no_bar(self):
+        prior = sg.DiscretePrior.from_counts({"10": 1, "100": 3})
+        state = sg.plan_feeding(sg.catalogue_part("4gon"), prior=prior).distribution(1)
+        ax = sg.draw_distribution(state, self.axes())
+        assert len(ax.patches) == len(ax.texts) == 2 < len(state)
+
     def test_extrema_of_the_diameter(self):
         ax = sg.draw_diameter(RECTANGLE, self.axes())
         _, minima, maxima = ax.lines

@@ -20,7 +20,7 @@ from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.curves import bars_of, steps_of, turns_for, wave_of
-from stochgeom.plotting.distributions import distribution_scene, fitted, spread
+from stochgeom.plotting.distributions import distribution_scene, fitted
 from stochgeom.plotting.function_scenes import analysis_scene, step_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
 from stochgeom.plotting.graph import degree_ticks, round_ticks, value_ticks
@@ -50,7 +50,19 @@ from stochgeom.transfer.step_function import StepFunction
 from tests.scene_checks import SVG, overlapping_labels, parsed
 
 RECTANGLE = Part([(0, 0), (3, 0), (3, 2), (0, 2)])
+BRACKET = Part([(0, 0), ("7/2", 0), ("7/2", "3/4"), ("5/6", "3/4"), ("5/6", "13/3"), (0, "13/3")])
 SLIVER = Part([(0, 0), (1000, 0), (1000, 1), (500, 2), (0, 1)])
+
+
+def _corner(k: int) -> tuple[int, int]:
+    a = 2 * np.pi * k / 30 + 0.1
+    return round(1000 * np.cos(a) * (1 + 0.05 * np.sin(3 * a))), round(1000 * np.sin(a))
+
+
+NUMBERS = {"<.01", "1.00", *(f".{k:02}" for k in range(1, 100))}
+
+GON = Part([_corner(k) for k in range(30)])
+"""Nearly round: its orientations lie close together, its diameter hardly varies."""
 
 
 def degrees(text: str) -> Angle:
@@ -509,10 +521,44 @@ class TestLabels:
             covered = [b for b in bars if b[0][0] < right - reach and b[1][0] > left + reach]
             assert all(bottom >= bar[2][1] - 0.1 * label.size for bar in covered)
 
-    def test_spreading(self):
-        placed = spread([0, 0, 0, 5], [1, 1, 1, 1], -10, 10)
-        assert placed == [-1, 0, 1, 5]
-        assert spread([9, 9], [2, 2], 0, 10) == [7, 9]
+    @pytest.mark.parametrize("part", [GON, catalogue_part("key"), catalogue_part("4gon")])
+    def test_a_probability_stands_over_its_own_bar(self, part):
+        """Found with 30 corners, where numbers had drifted by 70 degrees from their bars."""
+        plan = orient_up_to_symmetry(part)
+        seen = 0
+        for step in range(1, plan.steps + 1):
+            state = plan.distribution(step)
+            scene = distribution_scene(state)
+            rows = list(zip(scene.of_style("bar"), state.probabilities(2), strict=True))
+            for label in (s for s in scene.shapes if isinstance(s, Label) and s.text in NUMBERS):
+                seen += 1
+                (left, _), (right, _) = box_of(label)
+                slack = 0.25 * label.size
+                texts = {
+                    text.removeprefix("0").replace(".00", "<.01") if text[0] == "0" else text
+                    for bar, text in rows
+                    if left - slack <= (bar.points[0][0] + bar.points[1][0]) / 2 <= right + slack
+                }
+                assert label.text in texts
+        assert seen > plan.steps
+
+    def test_bars_do_not_cover_each_other(self):
+        """Found with 30 corners, of which two orientations are a third of a degree apart."""
+        state = orient_up_to_symmetry(GON).distribution(1)
+        spans = [
+            (bar.points[0][0], bar.points[1][0])
+            for bar in distribution_scene(state).of_style("bar")
+        ]
+        assert all(one[1] <= other[0] + 0.001 for one, other in pairwise(spans))
+
+    def test_what_has_no_probability_is_not_drawn(self):
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        state = plan_feeding(BRACKET, prior=prior).distribution(1)
+        assert [mass.rational for mass in state.masses].count(0) > 0
+        scene = distribution_scene(state)
+        assert len(scene.of_style("bar")) == 2
+        assert {".62", ".38"} <= set(scene.labels())
+        assert "<.01" not in scene.labels()
 
     def test_long_text_shrinks_and_then_ends(self):
         text, size = fitted("a description that never ends", 1.0, 6.0)
