@@ -241,6 +241,9 @@ def draw_trace(
 ) -> Axes:
     """Draw a plan at work: part and gripper after each action (thesis Figs. 1.1, 4.5, 4.6, E.5).
 
+    As a camera above the gripper sees it. A stub marks the jaw that is the lower one while the
+    gripper stands at 0 degrees; angles under the columns are relative to the gripper.
+
     Parameters
     ----------
     plan : FeedingPlan
@@ -249,7 +252,8 @@ def draw_trace(
         Where; default: on a new figure.
     orientations : sequence, optional
         Angles, or degrees: the orientations before the first action, a column for each. Default:
-        one in every step of the transfer function, at most eight.
+        one in every step of the transfer function, at most eight. Under a prior only what
+        arrives: its points, or the middles of five equal shares of it.
     distribution : bool
         Whether the probability of each orientation is drawn beside each action.
 

@@ -107,6 +107,11 @@ def test_a_first_action_under_a_prior_has_an_angle():
     assert "<td>1</td><td>any</td>" not in plan._repr_html_()
 
 
+def test_a_plan_tells_how_many_of_the_steps_are_traced():
+    page = sg.plan_feeding(sg.catalogue_part("key"))._repr_html_()
+    assert "(in 4 of 8 steps)" in page
+
+
 def test_a_long_plan_shows_its_funnel_and_a_cut_table():
     plan = sg.orient_up_to_symmetry(LONG)
     page = plan._repr_html_()
@@ -117,6 +122,8 @@ def test_a_long_plan_shows_its_funnel_and_a_cut_table():
 
 def test_a_plan_of_a_transfer_function_shows_its_funnel():
     page = sg.plan_transfer(sg.squeeze_function(RECTANGLE))._repr_html_()
+    assert "2 actions" in page
+    assert "action action" not in page
     assert "sg-funnel" in page
     assert "sg-part" not in page
 

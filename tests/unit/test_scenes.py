@@ -10,8 +10,12 @@ import pytest
 from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.decision.mixture_prior import MixturePrior
+from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.priors import uniform_prior
 from stochgeom.errors import InputError, PriorError
 from stochgeom.exact.angles import Angle
+from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
 from stochgeom.feeding.preimages import preimages
 from stochgeom.feeding.problem import FeedingProblem
@@ -38,6 +42,7 @@ from stochgeom.plotting.gripper_scenes import (
     wedged_or_stable_scene,
 )
 from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.sample_orientations import sample_orientations
 from stochgeom.plotting.scene import Disc, Label, Line, Polygon, Scene, box_of, moved, rectangle
 from stochgeom.plotting.silhouettes import silhouette
 from stochgeom.plotting.styles import STYLES
@@ -266,6 +271,57 @@ class TestTraces:
         assert len(found) == 8
         steps = {plan.transfer.step_at(theta) for theta in found}
         assert len(steps) == 8
+
+    def test_only_what_arrives_is_traced(self):
+        """Found with two orientations, of which six had been drawn."""
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        plan = plan_feeding(BRACKET, prior=prior)
+        assert typical_orientations(plan) == (degrees("0"), degrees("90"))
+        scene = trace_scene(plan)
+        assert len(scene.of_style("part")) == 2 * (1 + plan.steps)
+        assert "(all that arrive)" in scene.labels()
+        assert "<.01" not in scene.labels()
+
+    def test_a_normal_prior_is_traced_about_its_mean(self):
+        plan = plan_feeding(catalogue_part("house"), prior=WrappedNormal("30", "12"))
+        found = [float(theta.degrees(1)) for theta in typical_orientations(plan)]
+        # The middles of fifths: 10, 30, 50, 70 and 90 percent.
+        assert found == pytest.approx([30 + 12 * z for z in (-1.28, -0.52, 0, 0.52, 1.28)], abs=3)
+
+    def test_many_points_are_traced_by_equal_shares(self):
+        prior = DiscretePrior.from_counts({f"{k}": 1 + 99 * (k == 50) for k in range(40, 60)})
+        plan = plan_feeding(BRACKET, prior=prior)
+        found = sample_orientations(plan, 4)
+        assert degrees("50") in found.orientations
+        assert set(found.orientations) <= set(prior.orientations)
+        assert found.words == "4 of 20 that arrive"
+
+    @pytest.mark.parametrize("narrow", [False, True])
+    def test_orientations_lie_where_the_prior_has_a_density(self, narrow):
+        arc = Arc(degrees("10"), degrees("1/8" if narrow else "100"))
+        pieces = PiecewisePrior.from_masses(
+            [(arc, "3/4"), (Arc(degrees("200"), degrees("9")), "1/4")]
+        )
+        mixed = MixturePrior([("1/2", pieces), ("1/2", DiscretePrior({"123.4": 1}))])
+        for prior in (pieces, mixed):
+            for theta in typical_orientations(plan_feeding(BRACKET, prior=prior)):
+                assert pieces.density_at(theta) or prior.mass_at(theta)
+
+    def test_a_uniform_prior_is_none(self):
+        plan = plan_feeding(RECTANGLE, prior=uniform_prior())
+        assert len(typical_orientations(plan)) == 4
+
+    def test_a_stub_tells_the_lower_jaw_at_every_angle_of_the_gripper(self):
+        scene = trace_scene(plan_feeding(BRACKET), [degrees("0")], distribution=False)
+        jaws = [jaw.points for jaw in scene.of_style("jaw")]
+        assert [len(points) for points in jaws] == [8, 4] * 3
+        last_lower, last_upper = (np.mean(points, axis=0) for points in jaws[-2:])
+        assert last_lower[1] > last_upper[1]  # the gripper stands at 180 degrees there
+
+    def test_what_the_angles_are_relative_to(self):
+        labels = trace_scene(plan_feeding(BRACKET)).labels()
+        assert {"(one in each step)", "relative to the gripper"} <= set(labels)
+        assert "(in 4 of 6 steps)" in trace_scene(plan_feeding(BRACKET), most=4).labels()
 
     def test_few_of_many_steps(self):
         plan = plan_feeding(Part.regular(30))
