@@ -122,7 +122,7 @@ def _degrees(ax: Axes, turns: int, *, values: Sequence[float] = ()) -> None:
     """Give an axes degrees along x, and along y if values are given."""
     end = 360.0 * turns
     ax.set_xlim(0.0, end)
-    ticks = degree_ticks(end, most=max(3, min(9, int(_points(ax)[0] / (4.5 * LETTERS)))))
+    ticks = degree_ticks(end, most=max(3, min(9, int(size_in_points(ax)[0] / (4.5 * LETTERS)))))
     ax.set_xticks(ticks, [_shown(tick) for tick in ticks])
     if values:
         ax.set_yticks(list(values), [_shown(tick) for tick in values])
@@ -130,7 +130,7 @@ def _degrees(ax: Axes, turns: int, *, values: Sequence[float] = ()) -> None:
     ax.set_axisbelow(True)
 
 
-def _points(ax: Axes) -> tuple[float, float]:
+def size_in_points(ax: Axes) -> tuple[float, float]:
     """Return width and height of axes, as they are now, in points."""
     box, dpi = ax.get_window_extent(), ax.get_figure(root=True).dpi  # type: ignore[union-attr]
     return float(box.width * 72.0 / dpi), float(box.height * 72.0 / dpi)
@@ -236,7 +236,7 @@ def draw_preimages(
     labelled = [bar for bar in bars if (bar.steps - 1) % every == 0]
     ax.set_yticks([bar.steps for bar in labelled])
     for bar in labelled:
-        _width_label(ax, bar, 360.0 * turns)
+        write_width(ax, bar, bar.steps, 360.0 * turns)
     ax.grid(visible=False, axis="y")
     return ax
 
@@ -252,13 +252,13 @@ def _listed(chain: StepFunction | Preimages | Iterable[Preimage]) -> list[Preima
 
 def _label_every(ax: Axes, rows: int) -> int:
     """Return 1 if every row is high enough for text, else how many rows a label needs."""
-    return max(1, int(np.ceil(1.25 * LETTERS * rows / _points(ax)[1])))
+    return max(1, int(np.ceil(1.25 * LETTERS * rows / size_in_points(ax)[1])))
 
 
-def _width_label(ax: Axes, bar: Bar, end: float) -> None:
-    """Write a bar's width: behind it, before it where the axes end too soon, or else in it."""
+def write_width(ax: Axes, bar: Bar, y: float, end: float) -> None:
+    """Write a bar's width behind it, before it where the axes end too soon, or else in it."""
     text = f"{bar.width_text}°"
-    room = (0.62 * LETTERS * len(text) + 8.0) * end / _points(ax)[0]
+    room = (0.62 * LETTERS * len(text) + 8.0) * end / size_in_points(ax)[0]
     if bar.end + room <= end:
         place, shift, anchor = bar.end, 4, "left"
     elif bar.start - room >= 0.0:
@@ -267,7 +267,7 @@ def _width_label(ax: Axes, bar: Bar, end: float) -> None:
         place, shift, anchor = (bar.start + bar.end) / 2, 0, "center"
     ax.annotate(
         text,
-        (place, bar.steps),
+        (place, y),
         xytext=(shift, 0),
         textcoords="offset points",
         ha=anchor,
@@ -312,7 +312,7 @@ def _write_over_bars(
     ax: Axes, places: Sequence[float], shares: Sequence[float], texts: Sequence[str], half: float
 ) -> None:
     """Write the bars' numbers above them and make room for these; they are placed in points."""
-    width, height = _points(ax)
+    width, height = size_in_points(ax)
     across = width / 372.0
     line = 1.35 * LETTERS
     lines = 4 if len(places) > 1 and height > 10 * line else 1

@@ -212,6 +212,8 @@ def draw_closing(part: PartLike, theta: Orientation, ax: Axes | None = None) -> 
 def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None) -> Axes:
     """Draw one grasp without and with the sliding jaw: held by friction, or stable (Fig. B.2).
 
+    The caption says which coefficient of friction holds the part, rounded up.
+
     Parameters
     ----------
     part : Part, or its vertices
@@ -226,7 +228,7 @@ def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None)
     >>> from matplotlib.figure import Figure
     >>> ax = draw_sliding_jaw(Part.regular(6), 20, Figure().subplots())
     >>> [text.get_text() for text in ax.texts]
-    ['friction: wedged at 20.00°', 'sliding jaw: stable at 0.00°']
+    ['friction: wedged at 20.00° if μ > 0.1764', 'sliding jaw: stable at 0.00°']
     """
     need_matplotlib()
     return draw_scene(wedged_or_stable_scene(as_part(part), as_angle(theta)), ax, inches=0.8)

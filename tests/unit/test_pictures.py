@@ -249,6 +249,16 @@ class TestOnAxes:
         first = sg.draw_phase_one(transfer, 1, self.axes())
         assert first.lines[-1].get_ydata().tolist() == [180]
 
+    @pytest.mark.parametrize("steps", [1, 2])
+    def test_the_width_of_a_narrow_arc_stands_beside_its_bar(self, steps):
+        long = sg.FAMILIES["long plans"].generate(15, 1)
+        ax = sg.draw_phase_one(sg.squeeze_function(long), steps, self.axes())
+        (text,), bar = ax.texts, ax.patches[0]
+        ax.get_figure().draw_without_rendering()
+        box = text.get_window_extent().transformed(ax.transData.inverted())
+        left, right = bar.get_x(), bar.get_x() + bar.get_width()
+        assert box.x0 >= right or box.x1 <= left or left <= box.x0 <= box.x1 <= right
+
     def test_a_grasp_says_what_holds(self):
         ax = sg.draw_grasp(RECTANGLE, 0, self.axes())
         assert ax.texts[-1].get_text() == "0.00°: stable"

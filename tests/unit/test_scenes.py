@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from gmpy2 import mpq
 
 from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
@@ -14,7 +15,7 @@ from stochgeom.decision.mixture_prior import MixturePrior
 from stochgeom.decision.piecewise_prior import PiecewisePrior
 from stochgeom.decision.priors import uniform_prior
 from stochgeom.errors import InputError, PriorError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
 from stochgeom.feeding.preimages import preimages
@@ -22,6 +23,7 @@ from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.grasping.squeeze_stability import SqueezeStability
 from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.curves import bars_of, steps_of, turns_for, wave_of
 from stochgeom.plotting.distributions import distribution_scene, fitted
@@ -446,9 +448,25 @@ class TestGrasps:
         assert "2 final orientations: the error is not cancelled" in scene.labels()
         assert len(scene.of_style("part")) == 2
 
-    def test_most_outcomes_are_drawn(self):
-        scene = error_scene(catalogue_part("key"), degrees("50"), "170")
-        assert len(scene.of_style("part")) == 4
+    def test_all_outcomes_are_drawn(self):
+        scene = error_scene(GON, degrees("20"), "15")
+        assert "6 final orientations: the error is not cancelled" in scene.labels()
+        assert len(scene.of_style("part")) == 6
+
+    def test_of_many_outcomes_the_first_the_last_and_some_between_are_drawn(self):
+        finals = reached_from(GON, degrees("20"), degrees("100"))
+        scene = error_scene(GON, degrees("20"), "100")
+        words = f"{len(finals)} final orientations, 12 of them drawn: the error is not cancelled"
+        assert words in scene.labels()
+        assert len(scene.of_style("part")) == 12 < len(finals)
+        assert {f"{a.degrees(2)}°".replace("-", "−") for a in (finals[0], finals[-1])} <= set(
+            scene.labels()
+        )
+        assert overlapping_labels(scene) == []
+
+    def test_an_outcome_at_both_ends_of_the_range_counts_once(self):
+        finals = reached_from(RECTANGLE, degrees("20"), degrees("170"))
+        assert len(finals) == len({theta.reduced() for theta in finals}) == 4
 
 
 class TestGrippers:
@@ -472,7 +490,32 @@ class TestGrippers:
 
     def test_with_and_without(self):
         labels = wedged_or_stable_scene(Part.regular(6), degrees("20")).labels()
-        assert labels == ["friction: wedged at 20.00°", "sliding jaw: stable at 0.00°"]
+        assert labels == [
+            "friction: wedged at 20.00° if μ > 0.1764",
+            "sliding jaw: stable at 0.00°",
+        ]
+
+    @pytest.mark.parametrize("theta", ["20", "45", "-33", "100", "200.5"])
+    @pytest.mark.parametrize("part", [RECTANGLE, BRACKET, Part([(0, 0), (1000, 1), (3, 4)])])
+    def test_the_friction_that_a_wedge_takes(self, part, theta):
+        """With a little more than said the grasp diagram wedges the part there, with less not."""
+        (caption, _), place = wedged_or_stable_scene(part, degrees(theta)).labels(), degrees(theta)
+        mu = mpq(caption.split("μ > ")[1])
+        assert place in SqueezeStability(part, mu + mpq(1, 10**6)).wedged
+        assert mu < mpq(2, 10**4) or place not in SqueezeStability(part, mu - mpq(2, 10**4)).wedged
+
+    def test_what_needs_no_friction_or_any(self):
+        assert wedged_or_stable_scene(RECTANGLE, Angle()).labels()[0] == "friction: stable at 0.00°"
+        square = Part([(0, 0), (1, 0), (1, 1), (0, 1)])
+        caption = wedged_or_stable_scene(square, degrees("45")).labels()[0]
+        assert caption == "friction: wedged at 45.00° by any friction"
+
+    def test_the_friction_that_holds_a_flush_edge(self):
+        slipping = Part([(0, 0), (1, 0), (4, 3), (1, 2)])
+        caption = wedged_or_stable_scene(slipping, Angle()).labels()[0]
+        assert caption == "friction: flush, not stable at 0.00°, held if μ > 1.0000"
+        edges = [SqueezeStability(slipping, mu).stable for mu in ("1", "1001/1000")]
+        assert [ZERO in {edge.orientation for edge in found} for found in edges] == [False, True]
 
 
 class TestBlocks:
@@ -484,6 +527,12 @@ class TestBlocks:
         scene = scooped_blocks_scene([1, 2, 3, 4], [0, 1, 3, 3])
         assert scene.labels()[-4:] == ["1/10", "1/5", "0", "7/10"]
         assert len(scene.of_style("ghost")) == 4 + 3  # no block where none can be
+
+    def test_fractions_and_decimals_are_not_mixed(self):
+        labels = scooped_blocks_scene([7, 13, 1, 480], [0, 1, 1, 3]).labels()
+        assert labels[-4:] == ["0.014", "0.028", "0.000", "0.958"]
+        assert {"0.026", "0.002"} <= set(labels)
+        assert not any("/" in text for text in labels)
 
     def test_nothing_moves(self):
         assert not scooped_blocks_scene([1, 1], [0, 1]).of_style("jaw")
