@@ -54,6 +54,9 @@ def draw_diameter(
 ) -> Axes:
     """Draw the diameter function: minima (stable) filled, maxima hollow (Figs. 4.3, D.1).
 
+    Remarks say where more than 40 minima are not marked, and where the axis does not begin at 0
+    because the diameter varies by less than an eighth.
+
     Parameters
     ----------
     part : Part, its vertices, or its DiameterFunction
@@ -102,9 +105,18 @@ def _draw_wave(wave: Wave, turns: int, name: str, ax: Axes | None) -> Axes:
         ax.plot(wave.minima, wave.at_minima, label="minima: stable", **_dots(filled=True))
         ax.plot(wave.maxima, wave.at_maxima, label="maxima", **_dots(filled=False))
     ax.set_ylim(*wave_limits(wave))
+    if wave.limits[0]:  # whole numbers at the ticks, no sum of one and the rest
+        ax.ticklabel_format(axis="y", useOffset=False)
     ax.set_ylabel(name)
+    _remark(ax, wave.remark)
     _degrees(ax, turns)
     return ax
+
+
+def _remark(ax: Axes, text: str) -> None:
+    """Write above a graph on the right what its reader has to know."""
+    if text:
+        ax.set_title(text, loc="right", fontsize=LETTERS)
 
 
 def _dots(*, filled: bool) -> dict[str, Any]:
@@ -145,7 +157,8 @@ def draw_step_function(
 ) -> Axes:
     """Draw a step function: ends that belong to a step filled (Figs. 4.4, 5.2, E.2, E.3).
 
-    The dashed diagonal is where an action leaves the part as it is.
+    The dashed diagonal is where an action leaves the part as it is. The ends of more than 40 steps
+    are not marked, and a remark says so.
 
     Parameters
     ----------
@@ -176,6 +189,7 @@ def draw_step_function(
     _draw_steps(ax, steps)
     ax.set_ylim(*limits)
     ax.set_ylabel(name or "orientation after")
+    _remark(ax, steps.remark)
     _degrees(ax, turns, values=value_ticks(*limits))
     return ax
 

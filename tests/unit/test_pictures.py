@@ -306,6 +306,30 @@ class TestOnAxes:
     def test_figures_g_1_to_g_4(self, parameters, printed):
         assert printed in sg.draw_beta_density(*parameters, self.axes()).get_title()
 
+    @pytest.mark.parametrize(
+        "parameters", [("1/3", "1000"), (2000, 3), ("1/100", "10000"), (9, 99)]
+    )
+    def test_a_narrow_density_is_seen(self, parameters):
+        """Found with (1/3, 1000), whose axis had ended at 9e-21."""
+        ax = sg.draw_beta_density(*parameters)
+        beta, (low, high), (_, top) = sg.BetaDensity(*parameters), ax.get_xlim(), ax.get_ylim()
+        y = ax.lines[0].get_ydata()
+        mean, sd = float(beta.mean), float(beta.variance) ** 0.5
+        assert low <= mean <= high
+        assert high - low > 4 * sd
+        inside = (y <= top) & (y >= 0.02 * top)
+        assert inside.mean() > 0.1  # the curve crosses the picture
+        assert ("part of" in ax.get_xlabel()) == (high - low < 1)
+        assert overlaps(ax) == []
+        assert "variance 0.000," not in ax.get_title()
+
+    def test_long_parameters_fit_the_title(self):
+        ax = sg.draw_beta_density("123456789/987654321", "7000001/1234577")
+        ax.get_figure().draw_without_rendering()
+        assert ax.get_title().startswith("α₁ ≈ 0.125000, α₂ ≈ 5.669959")
+        box = ax.title.get_window_extent()
+        assert box.x1 - box.x0 < ax.get_figure().bbox.x1
+
     @pytest.mark.parametrize("parameters", [(1, 1), (16, 16), (4, 1), ("2.5", 3)])
     def test_the_density_has_the_exact_moments(self, parameters):
         p = (np.arange(20_000) + 0.5) / 20_000

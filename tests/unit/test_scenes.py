@@ -27,7 +27,7 @@ from stochgeom.grasping.squeeze_stability import SqueezeStability
 from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.curves import bars_of, steps_of, turns_for, wave_of
 from stochgeom.plotting.distributions import distribution_scene, fitted
-from stochgeom.plotting.function_scenes import analysis_scene, step_scene
+from stochgeom.plotting.function_scenes import analysis_scene, step_scene, wave_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
 from stochgeom.plotting.graph import degree_ticks, round_ticks, value_ticks
 from stochgeom.plotting.grasp_scenes import (
@@ -182,6 +182,25 @@ class TestCurves:
         assert wave.minima.tolist() == [0, 90, 135, 225, 270, 360]
         assert len(wave.maxima) == 5
         assert wave.at_minima[0] == pytest.approx(1.4)
+
+    def test_a_function_that_hardly_varies_is_enlarged_and_says_so(self):
+        """Found with 30 corners, whose diameter had been a flat line without marks."""
+        scene = wave_scene(DiameterFunction(GON), height=150.0)
+        (curve,) = scene.of_style("curve")
+        heights = [y for _, y in curve.points]
+        assert max(heights) - min(heights) > 75
+        assert "axis not from 0; 56 minima, not marked" in scene.labels()
+        assert overlapping_labels(scene) == []
+        bounds = scene.of_style("frame")[-1].points
+        assert bounds[0][1] < min(heights) < max(heights) < bounds[2][1]
+        ends = step_scene(squeeze_function(GON)).labels()
+        assert "57 steps, ends not marked" in ends
+
+    def test_other_functions_begin_at_0_and_need_no_remark(self):
+        for part in (RECTANGLE, catalogue_part("key")):
+            wave = wave_of(DiameterFunction(part))
+            assert wave.limits[0] == 0
+            assert wave.remark == ""
 
     def test_bars_are_in_degrees_and_carry_exact_widths(self):
         bars = bars_of(preimages(squeeze_function(RECTANGLE)))
