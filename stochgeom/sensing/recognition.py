@@ -25,6 +25,7 @@ from gmpy2 import mpq
 from stochgeom.decision.labels import Labels
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.priors import as_share
+from stochgeom.display import Displayed
 from stochgeom.errors import SensorError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.directions import nominal_angle
@@ -48,7 +49,7 @@ State = tuple[Any, str]
 
 
 @final
-class RecognitionProblem:
+class RecognitionProblem(Displayed):
     """Several parts, one of which lies between the jaws.
 
     Parameters
@@ -126,6 +127,13 @@ class RecognitionProblem:
             state: diameters[state[0]].squared(theta) for state, theta in self.orientations.items()
         }
         self.sensor: Sensor = sensor_of_diameters(squares, bits, noise, **settings)
+
+    def __repr__(self) -> str:
+        readings = len(self.sensor.readings)
+        return (
+            f"<RecognitionProblem: {len(self.names)} parts, {len(self.problem.actions)} squeezes, "
+            f"a sensor of {readings} reading{'s' if readings != 1 else ''}>"
+        )
 
     # --- plans -----------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, final
 
 from stochgeom.decision.costs import as_cost_ratio
+from stochgeom.display import Displayed
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
@@ -65,7 +66,7 @@ class OrderComparison:
 
 
 @final
-class SensingProblem:
+class SensingProblem(Displayed):
     """Plans with a jaw-diameter sensor for a part.
 
     Parameters
@@ -151,6 +152,14 @@ class SensingProblem:
             between=between,
             cost=sensor_cost,
             digits=digits,
+        )
+
+    def __repr__(self) -> str:
+        name = f" for {self.part.name}" if self.part.name else ""
+        problem, readings = self.orienting.problem, len(self.sensor.readings)
+        return (
+            f"<SensingProblem{name}: {len(problem.states)} orientations, {len(problem.actions)} "
+            f"squeezes, a sensor of {readings} reading{'s' if readings != 1 else ''}>"
         )
 
     @property
