@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 import sys
 
@@ -273,6 +274,22 @@ class TestOnAxes:
         ax = draw_scene(Scene([Label((0, 0), "$\\frac{$", 1.0)]), self.axes())
         ax.get_figure().draw_without_rendering()
         assert ax.texts[0].get_text() == "$\\frac{$"
+
+    def test_letters_too_small_to_read_are_warned_of(self):
+        """Found in a grid of four by four axes, where letters had three pixels."""
+        from matplotlib.figure import Figure
+
+        plan = sg.plan_feeding(sg.catalogue_part("4gon"))
+        small = Figure(figsize=(6.4, 4.8)).subplots(4, 4)[0, 0]
+        with pytest.warns(UserWarning, match=r"letters of 0\.\d points .* inches") as caught:
+            sg.draw_trace(plan, small)
+        assert caught[0].filename == __file__
+        width, height = map(
+            float, re.findall(r"about ([\d.]+) by ([\d.]+)", str(caught[0].message))[0]
+        )
+        large = Figure(figsize=(width, height)).add_axes((0, 0, 1, 1))
+        sg.draw_trace(plan, large)
+        assert min(text.get_fontsize() for text in large.texts) == pytest.approx(6, abs=0.1)
 
     def test_letters_fit_smaller_axes(self):
         large = sg.draw_grasp(RECTANGLE, 0, self.axes(8, 8)).texts[0].get_fontsize()
