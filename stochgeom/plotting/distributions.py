@@ -27,6 +27,7 @@ MOST_BARS: Final = 360
 """More orientations are drawn by the degree."""
 
 _MOST_NUMBERS: Final = 30
+_NEXT_TO_NOTHING: Final = "<.01"
 
 
 @final
@@ -62,7 +63,8 @@ def add_distribution(
 ) -> None:
     """Draw a hyperstate: a bar for each orientation that is possible, its probability above it.
 
-    Numbers for which there is no room below the ceiling are left out, those of low bars first.
+    Numbers for which there is no room below the ceiling are left out, those of low bars first, and
+    those of next to nothing where they would need a line.
     """
     scene.add(Line((strip.at(0.0), strip.at(360.0)), "frame"))
     places, shares = bars_of_state(state)
@@ -84,6 +86,8 @@ def add_distribution(
     room = Room(-0.3 * size, strip.width + size, high, half, 1.25 * size, 0.2 * size)
     for k, (x, y) in numbers_over_bars(centers, tops, widths, room).items():
         if has_line(centers[k], tops[k], (x, y), room):
+            if texts[k] == _NEXT_TO_NOTHING:
+                continue
             foot = (strip.left + centers[k], strip.bottom + tops[k])
             scene.add(Line((foot, (foot[0], strip.bottom + y + 0.15 * size)), "leader"))
         at = (strip.left + x, strip.bottom + y + 0.62 * size)
@@ -122,7 +126,7 @@ def possible(state: Hyperstate, k: int) -> bool:
 def _short(text: str) -> str:
     """Return ``".25"`` for ``"0.25"``, as tables print it, and ``"<.01"`` for ``"0.00"``."""
     if text == "0.00":
-        return "<.01"
+        return _NEXT_TO_NOTHING
     return text.removeprefix("0") if text.startswith("0.") else text
 
 
