@@ -24,6 +24,7 @@ from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.grasping.squeeze_stability import SqueezeStability
+from stochgeom.plotting import report_pictures
 from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.curves import bars_of, steps_of, turns_for, wave_of
 from stochgeom.plotting.distributions import distribution_scene, fitted
@@ -665,6 +666,21 @@ class TestLabels:
                 }
                 assert label.text in texts
         assert seen > plan.steps
+
+    def test_the_rows_of_a_report_are_legible(self):
+        """Found with 30 corners, where bars hid numbers and numbers touched."""
+        plan = orient_up_to_symmetry(GON)
+        rows = [(step, plan.distribution(step)) for step in range(1, plan.steps + 1)]
+        scene = report_pictures.distribution_scene(rows, plan.final_orientation)
+        assert overlapping_labels(scene) == []
+        shown = [s for s in scene.shapes if isinstance(s, Label) and s.text.startswith("0.")]
+        bars = [bar.points for style in ("bar", "image") for bar in scene.of_style(style)]
+        assert len(shown) > 40
+        for label in shown:
+            (left, bottom), (right, top) = box_of(label)
+            reach = 0.2 * label.size  # the box is wider than the letters
+            hidden = [b for b in bars if b[0][0] < right - reach and b[1][0] > left + reach]
+            assert all(bottom > b[2][1] - 0.1 * label.size or top < b[0][1] for b in hidden)
 
     def test_bars_do_not_cover_each_other(self):
         """Found with 30 corners, of which two orientations are a third of a degree apart."""
