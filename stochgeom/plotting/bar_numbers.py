@@ -78,8 +78,6 @@ class _Numbers:
         """Return the middle of the lower side of number k, shifted; None if there is no room."""
         room, width, center = self.room, self.widths[k], self.centers[k]
         x = min(max(center + shift * width, room.left + width / 2), room.right - width / 2)
-        if abs(x - center) > width / 2 + _CLOSE:
-            return None
         y = self.tops[k]
         for low, high in sorted(self._under(k, x)):
             if high > y + _CLOSE and low < y + room.height - _CLOSE:
@@ -124,7 +122,7 @@ def numbers_over_bars(
     Parameters
     ----------
     centers : sequence of float
-        The middles of the bars, increasing.
+        The middles of the bars, increasing, between the ends of the room.
     tops : sequence of float
         Their heights.
     widths : sequence of float
