@@ -332,10 +332,15 @@ class FeedingPlan(Displayed):
         """
         render(self, "report", path, digits=digits)
 
+    @property
+    def counted_actions(self) -> str:
+        """The number of actions in words, ``"3 squeeze actions"``; ``"1 action"`` of no name."""
+        kind = "" if self.action_name == "action" else f"{self.action_name} "
+        return f"{self.steps} {kind}action{'s' if self.steps != 1 else ''}"
+
     def __repr__(self) -> str:
         name = f" for {self.part.name}" if self.part is not None and self.part.name else ""
         return (
-            f"<FeedingPlan{name}: {self.steps} {self.action_name} action"
-            f"{'s' if self.steps != 1 else ''}, expected cost {self.expected_cost}, "
+            f"<FeedingPlan{name}: {self.counted_actions}, expected cost {self.expected_cost}, "
             f"probability {self.probability}>"
         )

@@ -182,6 +182,10 @@ class Preimages(Displayed):
         """Return the preimages computed so far."""
         return tuple(self._found)
 
+    def __repr__(self) -> str:
+        known = f"{len(self._found)} known" + ", all" * (self.complete or self.stalled)
+        return f"<Preimages under {len(self.transfer)} steps in {self.transfer.period}: {known}>"
+
     def _extend(self) -> None:
         """Find the next preimage, or that there is no wider one."""
         if not self._found:

@@ -194,6 +194,15 @@ class FeedingProblem(Displayed):
             )
         return placement.probability
 
+    def __repr__(self) -> str:
+        name = f" for {self.part.name}" if self.part is not None and self.part.name else ""
+        words = [self.action, "uniform prior" if self.prior is None else self.prior.describe()]
+        if self._delta:
+            words.append(f"gripper error {self._delta}")
+        if self.goal is not None:
+            words.append(f"goal {self.goal}")
+        return f"<FeedingProblem{name}: {', '.join(words)}>"
+
     def plan_of(self, steps: int, cost_ratio: RationalLike = 1) -> FeedingPlan:
         """Return the plan of `steps` steps that collapses the widest arc.
 

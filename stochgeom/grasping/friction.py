@@ -11,7 +11,7 @@ from gmpy2 import mpq
 from stochgeom.errors import FrictionError
 from stochgeom.exact.angles import QUARTER_TURN, ZERO, Angle
 from stochgeom.exact.balls import Ball, full_turn_ball
-from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 
 FrictionLike: TypeAlias = "Friction | Angle | RationalLike"
@@ -99,7 +99,7 @@ accepted: 0 or more
         x, y = self.angle.direction
         return mpq(y, x)
 
-    def decimal(self, digits: int = 4) -> str:
+    def decimal(self, digits: int = 4, rounding: Rounding = Rounding.NEAREST) -> str:
         """Return mu as a correctly rounded decimal.
 
         Examples
@@ -109,8 +109,8 @@ accepted: 0 or more
         """
         mu = self.coefficient
         if mu is not None:
-            return rational_decimal(mu, digits)
-        return certified_decimal(self._ball, digits)
+            return rational_decimal(mu, digits, rounding)
+        return certified_decimal(self._ball, digits, rounding)
 
     def _ball(self) -> Ball:
         angle: flint.arb = self.angle.ball() * full_turn_ball()

@@ -16,11 +16,11 @@ from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
 from stochgeom.plotting.curves import bars_of, in_degrees, turns_for
 from stochgeom.plotting.function_pictures import (
-    LETTERS,
     draw_diameter,
     draw_preimages,
     draw_radius,
     draw_step_function,
+    write_width,
 )
 from stochgeom.plotting.part_scenes import part_scene
 from stochgeom.plotting.styles import INK, STYLES
@@ -186,8 +186,7 @@ def draw_phase_one(transfer: StepFunction, steps: int, ax: Axes | None = None) -
     look = STYLES["bar"]
     ax.barh([bottom - room / 2], [bars[0].end - bars[0].start], left=[bars[0].start],
             height=0.5 * room, facecolor=look.fill, edgecolor=look.stroke)  # fmt: skip
-    ax.annotate(f"{bars[0].width_text}°", (bars[0].start, bottom - room / 2), xytext=(4, 0),
-                textcoords="offset points", va="center", fontsize=LETTERS)  # fmt: skip
+    write_width(ax, bars[0], bottom - room / 2, 360.0 * turns_for(bars))
     if steps == 1:
         value = in_degrees(chosen.image.start)
         ax.hlines([value], [bars[0].start], [bars[0].end], colors=INK, linewidth=4.0)

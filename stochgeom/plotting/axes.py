@@ -7,6 +7,7 @@ that fits. Files are written by `save_figure`, the same bytes each time.
 from __future__ import annotations
 
 import os
+import warnings
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -31,6 +32,13 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
     "pdf": {"CreationDate": None, "Creator": "stochgeom", "Producer": None},
 }
 _LARGEST_INCHES: Final = 40.0
+
+_SMALLEST_LETTERS: Final = 2.5
+_LEGIBLE_LETTERS: Final = 6.0
+"""In points."""
+
+_CALLER: Final = 4
+"""How far above the warning the code stands that called a drawing function."""
 
 
 def need_matplotlib() -> None:
@@ -79,6 +87,11 @@ def draw_scene(scene: Scene, ax: Axes | None = None, *, inches: float = 0.3) -> 
     MissingExtraError
         If matplotlib is not installed.
 
+    Warns
+    -----
+    UserWarning
+        If letters would be too small to be read; it says how large the axes would have to be.
+
     Notes
     -----
     Letters have the size that fits the axes as they are when this is called: resize first.
@@ -86,11 +99,13 @@ def draw_scene(scene: Scene, ax: Axes | None = None, *, inches: float = 0.3) -> 
     left, bottom, right, top = scene.bounds()
     pad = 0.02 * max(right - left, top - bottom)
     size = ((right - left + 2 * pad) * inches, (top - bottom + 2 * pad) * inches)
+    own = ax is None
     ax = axes_or_new(ax, size)
     ax.set(xlim=(left - pad, right + pad), ylim=(bottom - pad, top + pad))
     ax.set_aspect("equal")
     ax.axis("off")
     points = _points_per_unit(ax)
+    _warn_of_small_letters(scene, ax, points, own=own)
     for order, shape in enumerate(scene.shapes):
         _draw(ax, shape, points, 2 + order * 1e-4)
     return ax
@@ -101,6 +116,20 @@ def _points_per_unit(ax: Axes) -> float:
     box = ax.get_window_extent()
     pixels = min(box.width / (right - left), box.height / (top - bottom))
     return float(pixels * 72.0 / ax.get_figure(root=True).dpi)  # type: ignore[union-attr]
+
+
+def _warn_of_small_letters(scene: Scene, ax: Axes, points: float, *, own: bool) -> None:
+    sizes = [shape.size for shape in scene.shapes if isinstance(shape, Label)]
+    smallest = min(sizes, default=1e9) * points
+    if smallest < _SMALLEST_LETTERS:
+        (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+        inches = _LEGIBLE_LETTERS / min(sizes) / 72.0
+        width, height = (right - left) * inches, (top - bottom) * inches
+        warnings.warn(
+            f"letters of {smallest:.1f} points are too small to be read; the picture needs axes of "
+            f"about {width:.1f} by {height:.1f} inches" + ", or a figure of its own" * (not own),
+            stacklevel=_CALLER,
+        )
 
 
 def _draw(ax: Axes, shape: Shape, points: float, order: float) -> None:
@@ -152,6 +181,8 @@ def save_figure(
 ) -> Path:
     """Write the figure of a picture: the same bytes every time, whole or not at all.
 
+    The bytes do not depend on what the figure was saved as before.
+
     Parameters
     ----------
     picture : Axes, tuple of Axes, or Figure
@@ -190,9 +221,23 @@ def save_figure(
     figure: Any = one.get_figure(root=True) if hasattr(one, "get_figure") else one
     if not hasattr(figure, "savefig"):
         raise InputError(f"{picture!r:.60} is no picture; accepted: Axes or a Figure of matplotlib")
+    _forget_layout(figure)
     content = BytesIO()
     # The salt makes the names inside SVG files the same each time.
     with matplotlib.rc_context({"svg.hashsalt": "stochgeom", "svg.fonttype": "path"}):
         figure.savefig(content, format=kind, dpi=dpi, metadata=_METADATA[kind])
     write_whole(target, content.getvalue())
     return target
+
+
+def _forget_layout(figure: Any) -> None:
+    """Put axes back where they stood before a layout was computed, which depends on that.
+
+    A figure that was saved with another number of dots per inch would else differ from a new one.
+    """
+    if figure.get_layout_engine() is None:
+        return
+    for ax in figure.axes:
+        place = ax.get_subplotspec()
+        if place is not None and ax.get_in_layout():
+            ax.set_subplotspec(place)

@@ -22,6 +22,7 @@ _PITCH: Final = 1.35
 _BLOCK: Final = 0.8
 _BAR_HEIGHT: Final = 1.7
 _SIZE: Final = 0.28
+_MOST_LETTERS: Final = 5
 
 
 def sensed_blocks_scene(prior: Sequence[RationalLike], likelihood: Sequence[RationalLike]) -> Scene:
@@ -128,8 +129,9 @@ def _add_places(scene: Scene, left: float, shares: Sequence[mpq]) -> None:
     end = left + (len(shares) - 1) * _PITCH
     scene.add(Line(((left - 0.6, 0.0), (end + 0.6, 0.0)), "frame"))
     base = -0.6 - _BAR_HEIGHT
+    texts = _share_texts(shares)
     scene.add(Line(((left - 0.6, base), (end + 0.6, base)), "frame"))
-    for k, share in enumerate(shares):
+    for k, (share, text) in enumerate(zip(shares, texts, strict=True)):
         x, half = left + k * _PITCH, _BLOCK / 2
         corners = ((x - half, 0.0), (x + half, 0.0), (x + half, _BLOCK), (x - half, _BLOCK))
         if share:
@@ -138,9 +140,12 @@ def _add_places(scene: Scene, left: float, shares: Sequence[mpq]) -> None:
                 rectangle((x - 0.25, base), (x + 0.25, base + float(share) * _BAR_HEIGHT), "bar")
             )
         top = base + float(share) * _BAR_HEIGHT + 0.22
-        scene.add(Label((x, top), _share_text(share), _SIZE))
+        scene.add(Label((x, top), text, _SIZE))
 
 
-def _share_text(share: mpq) -> str:
-    text = str(share)
-    return text if len(text) <= 5 else rational_decimal(share, 3)
+def _share_texts(shares: Sequence[mpq]) -> list[str]:
+    """Return fractions, or decimals of all where one fraction is long: they are compared."""
+    texts = [str(share) for share in shares]
+    if max(map(len, texts)) <= _MOST_LETTERS:
+        return texts
+    return [rational_decimal(share, 3) for share in shares]

@@ -15,7 +15,6 @@ from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.closures import Closure
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.curves import in_degrees
-from stochgeom.plotting.distributions import spread
 from stochgeom.plotting.graph import TEXT
 from stochgeom.plotting.scene import (
     XY,
@@ -128,3 +127,31 @@ def _span(arc: Arc) -> str:
     start = arc.start.reduced()
     end = start + arc.width
     return f"{shown_degrees(start.degrees(2))} to {shown_degrees(end.degrees(2))}"
+
+
+def spread(
+    centers: Sequence[float], widths: Sequence[float], left: float, right: float
+) -> list[float] | None:
+    """Return centres of labels that do not overlap, near the given ones; None if too many.
+
+    Examples
+    --------
+    >>> spread([1.0, 1.5, 4.0], [1.0, 1.0, 1.0], 0.0, 5.0)
+    [0.75, 1.75, 4.0]
+    >>> spread([4.5, 4.6], [1.0, 1.0], 0.0, 5.0), spread([1, 2], [2, 2], 0, 3)
+    ([3.5, 4.5], None)
+    """
+    if sum(widths) > right - left:
+        return None
+    # Less the widths before it, no place may be below the one before: isotonic regression.
+    before = [sum(widths[:k]) + widths[k] / 2 for k in range(len(widths))]
+    blocks: list[tuple[float, int]] = []
+    for center, offset in zip(centers, before, strict=True):
+        total, count = center - offset, 1
+        while blocks and blocks[-1][0] * count > total * blocks[-1][1]:
+            sum_before, count_before = blocks.pop()
+            total, count = total + sum_before, count + count_before
+        blocks.append((total, count))
+    free = [total / count for total, count in blocks for _ in range(count)]
+    low, high = left, right - sum(widths)
+    return [min(max(z, low), high) + b for z, b in zip(free, before, strict=True)]

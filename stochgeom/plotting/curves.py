@@ -28,6 +28,10 @@ MOST_MARKED: Final = 40
 
 _MOST_TRANSITIONS: Final = 2000
 
+_FLAT: Final = 0.12
+_FLATTEST: Final = 1e-9
+"""Functions that vary by less than an eighth are enlarged, those of rounding errors alone not."""
+
 
 def in_degrees(angle: Angle) -> float:
     """Return an angle in degrees, for drawing: at multiples of 45 degrees it is exact.
@@ -64,6 +68,23 @@ class Wave:
     def marked(self) -> bool:
         """Whether there are few enough extrema to mark each."""
         return len(self.minima) <= MOST_MARKED
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """A range that shows all values: from 0, or nearly flat functions enlarged."""
+        low, high = float(self.y.min()), float(self.y.max())
+        if _FLATTEST * high < high - low < _FLAT * high:
+            pad = 0.12 * (high - low)
+            return low - pad, high + pad
+        return 0.0, 1.12 * high
+
+    @property
+    def remark(self) -> str:
+        """What a reader of the graph has to know, ``""`` if nothing."""
+        remarks = ["axis not from 0"] if self.limits[0] else []
+        if not self.marked:
+            remarks.append(f"{len(self.minima)} minima, not marked")
+        return "; ".join(remarks)
 
 
 def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave:
@@ -115,6 +136,11 @@ class Steps:
     def marked(self) -> bool:
         """Whether there are few enough steps to mark which ends belong to them."""
         return len(self.values) <= MOST_MARKED
+
+    @property
+    def remark(self) -> str:
+        """What a reader of the graph has to know, ``""`` if nothing."""
+        return "" if self.marked else f"{len(self.values)} steps, ends not marked"
 
 
 def steps_of(transfer: StepFunction, turns: int = 1) -> Steps:

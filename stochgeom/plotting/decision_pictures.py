@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -20,7 +21,7 @@ from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
-from stochgeom.plotting.function_pictures import LETTERS
+from stochgeom.plotting.function_pictures import LETTERS, size_in_points
 from stochgeom.plotting.styles import INK, STYLES
 from stochgeom.sensing.gaussian import gaussian_bins
 
@@ -34,8 +35,10 @@ _INCHES: Final = 1 / 80
 _DASHES: Final = ("-", "--", ":", "-.", (0, (7, 2)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)),
                   (0, (3, 1)))  # fmt: skip
 _MARKERS: Final = "osD^vP*X"
-_NARROWEST: Final = 0.055
-"""Bins that take a smaller share of the axis are not named."""
+_LETTERS: Final = 60
+"""On a line of the legend of a new figure."""
+
+_MOST_LINES: Final = 3
 
 
 def draw_sensor_density(
@@ -47,7 +50,8 @@ def draw_sensor_density(
     r"""Draw the density of a sensor's data, and the probabilities of the bins it is read in.
 
     The data are normal about the true value (Fig. 7.2); a sensor of b bits tells which of 2^b bins
-    they fall into (Fig. 7.3). The probabilities are certified decimals.
+    they fall into (Fig. 7.3). The probabilities are certified decimals. They stand upright in
+    narrow bins; of bins that are too narrow even for that, the label of the axis counts.
 
     Parameters
     ----------
@@ -87,16 +91,31 @@ def draw_sensor_density(
     ax.plot(x, y, color=look.stroke, linewidth=look.width)
     ax.vlines([float(edge) for edge in ends], 0, top, colors=INK, linewidth=0.9)
     ax.axvline(d, color=STYLES["ghost"].stroke, linewidth=0.9, linestyle="--")
-    shares = _bin_decimals(center, spread, ends)
-    for k, (left, right) in enumerate(pairwise([low, *map(float, ends), high]) if ends else ()):
-        if right - left >= _NARROWEST * (high - low):
-            text = f"x{_lowered(k + 1)}\n{shares[k]}"
-            ax.text((left + right) / 2, 0.97 * top, text, ha="center", va="top",
-                    fontsize=LETTERS - 1.5)  # fmt: skip
     ax.set(xlim=(low, high), ylim=(0.0, top), xlabel="data", ylabel="density")
+    if ends:
+        shares = _bin_decimals(center, spread, ends)
+        unnamed = _name_bins(ax, [low, *map(float, ends), high], shares)
+        if unnamed:
+            ax.set_xlabel(f"data ({unnamed} of {len(shares)} bins too narrow to be named)")
     title = f"true value {rational_text(center)}, standard deviation {rational_text(spread)}"
     ax.set_title(title, fontsize=LETTERS + 1)
     return ax
+
+
+def _name_bins(ax: Axes, ends: Sequence[float], shares: Sequence[str]) -> int:
+    """Write the numbers of the bins and their probabilities; return for how many is no room."""
+    (low, high), (_, top), size = ax.get_xlim(), ax.get_ylim(), LETTERS - 1.5
+    unit, unnamed = size_in_points(ax)[0] / (high - low), 0
+    for k, (left, right) in enumerate(pairwise(ends)):
+        room, name = (right - left) * unit, f"x{_lowered(k + 1)}"
+        level = room >= 0.64 * size * len(shares[k]) + 2
+        if not level and room < 1.25 * size:
+            unnamed += 1
+            continue
+        text = f"{name}\n{shares[k]}" if level else f"{name} {shares[k]}"
+        ax.text((left + right) / 2, 0.97 * top, text, ha="center", va="top", fontsize=size,
+                rotation=0 if level else 90)  # fmt: skip
+    return unnamed
 
 
 def _checked_density(
@@ -180,17 +199,21 @@ def draw_risks(
     chosen = _chosen_rules(problem, rules)
     risks = [problem.risk(rule) for rule in chosen]
     least = min(max(risk) for risk in risks)
-    ax = axes_or_new(ax, (5.6, 3.6 + 0.2 * len(chosen)))
+    heavy = [max(risk) == least and len(chosen) > 1 for risk in risks]
+    letters = _LETTERS if ax is None else int((size_in_points(ax)[0] - 40) / (0.6 * LETTERS))
+    texts = [
+        _legend_text(problem.answers(rule), max(risk), minimax, max(letters, 16))
+        for rule, risk, minimax in zip(chosen, risks, heavy, strict=True)
+    ]
+    rows = sum(text.count("\n") + 1 for text in texts)
+    ax = axes_or_new(ax, (5.6, 3.6 + 0.17 * rows))
     places = range(len(problem.states))
-    for k, (rule, risk) in enumerate(zip(chosen, risks, strict=True)):
-        worst, heavy = max(risk), max(risk) == least and len(chosen) > 1
-        color = INK if heavy else STYLES["curve"].stroke
-        answers = ", ".join(f"{x}: {a}" for x, a in problem.answers(rule).items())
-        label = f"{answers:.60}; at most {number_decimal(worst)}" + ", minimax" * heavy
-        ax.plot(places, [float(r) for r in risk], label=label, color=color,
-                linewidth=2.2 if heavy else 1.2, linestyle=_DASHES[k], marker=_MARKERS[k],
+    for k, risk in enumerate(risks):
+        ax.plot(places, [float(r) for r in risk], label=texts[k],
+                color=INK if heavy[k] else STYLES["curve"].stroke,
+                linewidth=2.2 if heavy[k] else 1.2, linestyle=_DASHES[k], marker=_MARKERS[k],
                 markersize=5, clip_on=False)  # fmt: skip
-        ax.axhline(float(worst), color=STYLES["rule"].stroke, linewidth=0.7, zorder=1)
+        ax.axhline(float(max(risk)), color=STYLES["rule"].stroke, linewidth=0.7, zorder=1)
     ax.set_xticks(places, [str(state) for state in problem.states])
     if sum(len(str(state)) for state in problem.states) > 60:
         ax.tick_params("x", labelrotation=90)
@@ -198,6 +221,15 @@ def draw_risks(
     ax.set(xlabel="state", ylabel="risk")
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.01), fontsize=LETTERS, frameon=False)
     return ax
+
+
+def _legend_text(answers: Mapping[Any, Any], worst: Any, minimax: bool, letters: int) -> str:
+    """Return a rule in lines of so many letters, its largest risk at the end."""
+    words = ", ".join(f"{reading}: {action}" for reading, action in answers.items())
+    lines = wrap(words, letters, max_lines=_MOST_LINES, placeholder=" …")
+    tail = f"at most {number_decimal(worst)}" + ", minimax" * minimax
+    joined = f"{lines[-1]}; {tail}"
+    return "\n".join([*lines[:-1], joined] if len(joined) <= letters else [*lines, tail])
 
 
 def _chosen_rules(

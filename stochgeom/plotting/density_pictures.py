@@ -6,9 +6,11 @@ at .2. See `stochgeom.tilting.beta_density`.
 
 from __future__ import annotations
 
+from math import floor, log10
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+from gmpy2 import mpq
 
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational_text
@@ -24,9 +26,19 @@ _EDGE: Final = 1 / 1000
 
 _MOST_OF_A_POLE: Final = 6.0
 
+_DEVIATIONS: Final = 6.0
+_NARROW: Final = 0.25
+"""A density that stands within 6 deviations in less of [0, 1] is drawn larger."""
+
+_LONG: Final = 12
+_LETTERS: Final = 64
+"""Longer fractions are written as decimals, longer titles in two lines."""
+
 
 def draw_beta_density(alpha_1: RationalLike, alpha_2: RationalLike, ax: Axes | None = None) -> Axes:
     """Draw the density of p_2 under a Beta distribution, its mean and variance in the title.
+
+    Where nearly all of it stands in less than a quarter of [0, 1], only that part is drawn.
 
     Parameters
     ----------
@@ -48,19 +60,42 @@ def draw_beta_density(alpha_1: RationalLike, alpha_2: RationalLike, ax: Axes | N
     """
     beta = BetaDensity(alpha_1, alpha_2)
     ax = axes_or_new(ax, (4.8, 3.0))
-    p = np.linspace(_EDGE, 1 - _EDGE, 999)
+    low, high = _range(beta)
+    edge = _EDGE * (high - low)
+    p = np.linspace(low + edge, high - edge, 999)
     density = np.array([beta(float(x)) for x in p])
     ax.plot(p, density, color=STYLES["curve"].stroke, linewidth=1.5)
     ax.axvline(float(beta.mean), color=STYLES["ghost"].stroke, linewidth=0.9, linestyle="--")
-    pole = min(beta.alpha_1, beta.alpha_2) < 1
+    pole = (beta.alpha_2 < 1 and low == 0.0) or (beta.alpha_1 < 1 and high == 1.0)
     inner = float(density[49:-49].max())
     ax.set_ylim(0.0, _MOST_OF_A_POLE * inner if pole else 1.15 * float(density.max()))
-    ax.set_xlim(0.0, 1.0)
-    ax.set_xlabel("p₂")
+    ax.set_xlim(low, high)
+    ax.set_xlabel("p₂" if (low, high) == (0.0, 1.0) else "p₂ (a part of 0 to 1)")
     ax.set_ylabel("density")
-    ax.set_title(
-        f"α₁ = {rational_text(beta.alpha_1)}, α₂ = {rational_text(beta.alpha_2)}: "
-        f"mean {rational_decimal(beta.mean, 3)}, variance {rational_decimal(beta.variance, 3)}",
-        fontsize=9,
-    )
+    if high - low < 1.0:
+        ax.ticklabel_format(axis="x", useOffset=False, style="plain")
+        ax.locator_params(axis="x", nbins=4)
+    title = f"α₁ {_parameter(beta.alpha_1)}, α₂ {_parameter(beta.alpha_2)}: "
+    variance = float(beta.variance)
+    mean = _decimal(beta.mean, variance**0.5)
+    moments = f"mean {mean}, variance {_decimal(beta.variance, variance)}"
+    ax.set_title(title + ("\n" if len(title + moments) > _LETTERS else "") + moments, fontsize=9)
     return ax
+
+
+def _range(beta: BetaDensity) -> tuple[float, float]:
+    """Return 0 and 1, or what holds nearly all of a narrow density."""
+    mean, sd = float(beta.mean), float(beta.variance) ** 0.5
+    low, high = max(0.0, mean - _DEVIATIONS * sd), min(1.0, mean + _DEVIATIONS * sd)
+    return (low, high) if high - low < _NARROW else (0.0, 1.0)
+
+
+def _parameter(alpha: mpq) -> str:
+    text = rational_text(alpha)
+    return f"= {text}" if len(text) <= _LONG else f"≈ {rational_decimal(alpha, 6)}"
+
+
+def _decimal(value: mpq, smallest: float) -> str:
+    """Return a number with three decimals, or as many as show two digits of something smaller."""
+    digits = 3 if smallest >= _EDGE else 1 - floor(log10(smallest))
+    return rational_decimal(value, digits)

@@ -15,6 +15,7 @@ from stochgeom.decision.priors import Prior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.shadows import TWO_PI, shadow
+from stochgeom.plotting.bar_numbers import Room, bar_half, has_line, numbers_over_bars
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.scene import GLYPH_WIDTH, Label, Line, Polygon, Scene, rectangle
 
@@ -26,6 +27,7 @@ MOST_BARS: Final = 360
 """More orientations are drawn by the degree."""
 
 _MOST_NUMBERS: Final = 30
+_NEXT_TO_NOTHING: Final = "<.01"
 
 
 @final
@@ -56,42 +58,58 @@ def distribution_scene(state: Hyperstate, *, width: float = 9.0, size: float = 0
     return scene
 
 
-def add_distribution(scene: Scene, strip: Strip, state: Hyperstate, size: float) -> None:
-    """Draw a hyperstate: a bar for each orientation, its probability above it."""
+def add_distribution(
+    scene: Scene, strip: Strip, state: Hyperstate, size: float, ceiling: float | None = None
+) -> None:
+    """Draw a hyperstate: a bar for each orientation that is possible, its probability above it.
+
+    Numbers for which there is no room below the ceiling are left out, those of low bars first, and
+    those of next to nothing where they would need a line.
+    """
     scene.add(Line((strip.at(0.0), strip.at(360.0)), "frame"))
     places, shares = bars_of_state(state)
-    half = 0.5 * min(0.16 * size + 0.1, strip.width / (3 * max(len(places), 1)))
-    for place, share in zip(places, shares, strict=True):
-        x, y = strip.at(place, share)
-        scene.add(rectangle((x - half, strip.bottom), (x + half, y), "bar"))
-    texts = [f"{share:.2f}" for share in shares]
-    if len(state) <= _MOST_NUMBERS:
-        texts = [_short(text) for text in state.probabilities(2)]
-    centers = [strip.at(place)[0] for place in places]
-    widths = [GLYPH_WIDTH * size * (len(text) + 0.7) for text in texts]
-    placed = spread(centers, widths, strip.left - 0.3 * size, strip.left + strip.width + size)
-    if placed is None:  # too many for their numbers to be read
+    centers = [strip.at(place)[0] - strip.left for place in places]
+    tops = [strip.at(0.0, share)[1] - strip.bottom for share in shares]
+    half = bar_half(centers, 0.5 * (0.16 * size + 0.1), 0.004)
+    for center, top in zip(centers, tops, strict=True):
+        x, y = strip.left + center, strip.bottom
+        scene.add(rectangle((x - half, y), (x + half, y + top), "bar"))
+    texts = _numbers(state, shares)
+    if texts is None:  # too many to be read
         best = state.probability(state.most_likely()).decimal(2)
-        note = f"{len(state)} orientations, the likeliest {_short(best)}"
+        note = f"{len(places)} orientations, the likeliest {_short(best)}"
         level = strip.at(0, max(shares))[1] + 0.9 * size
         scene.add(Label((strip.left, level), note, size, "start"))
         return
-    for x, own, width, text in zip(placed, shares, widths, texts, strict=True):
-        # Above its own bar and above every bar that it would cover.
-        reach = width / 2 - 0.2 * size
-        below = [s for c, s in zip(centers, shares, strict=True) if abs(c - x) < reach + half]
-        level = max([own, *below])
-        scene.add(Label((x, strip.at(0, level)[1] + 0.7 * size), text, size))
+    widths = [GLYPH_WIDTH * size * (len(text) + 0.7) for text in texts]
+    high = max(tops) + 5 * size if ceiling is None else ceiling
+    room = Room(-0.3 * size, strip.width + size, high, half, 1.25 * size, 0.2 * size)
+    for k, (x, y) in numbers_over_bars(centers, tops, widths, room).items():
+        if has_line(centers[k], tops[k], (x, y), room):
+            if texts[k] == _NEXT_TO_NOTHING:
+                continue
+            foot = (strip.left + centers[k], strip.bottom + tops[k])
+            scene.add(Line((foot, (foot[0], strip.bottom + y + 0.15 * size)), "leader"))
+        at = (strip.left + x, strip.bottom + y + 0.62 * size)
+        scene.add(Label(at, texts[k], size))
+
+
+def _numbers(state: Hyperstate, shares: Sequence[float]) -> list[str] | None:
+    """Return the probabilities as texts, or None if they are too many."""
+    if len(shares) > _MOST_NUMBERS:
+        return None
+    return [_short(text) for k, text in enumerate(state.probabilities(2)) if possible(state, k)]
 
 
 def bars_of_state(state: Hyperstate) -> tuple[list[float], list[float]]:
-    """Return places in degrees and probabilities in floats: of every orientation, if they are few.
+    """Return places in degrees and probabilities in floats: of what is possible, if that is few.
 
     Of more than `MOST_BARS` orientations, of every degree that has some.
     """
     if len(state) <= MOST_BARS:
-        places = [in_degrees(theta) for theta in state.orientations]
-        return places, [float(state.probability(k)) for k in range(len(state))]
+        kept = [k for k in range(len(state)) if possible(state, k)]
+        places = [in_degrees(state.orientations[k]) for k in kept]
+        return places, [float(state.probability(k)) for k in kept]
     sums: dict[int, float] = {}
     for theta, k in zip(state.orientations, range(len(state)), strict=True):
         degree = int(np.degrees(shadow(theta)))
@@ -100,39 +118,16 @@ def bars_of_state(state: Hyperstate) -> tuple[list[float], list[float]]:
     return [degree + 0.5 for degree in sums], list(sums.values())
 
 
+def possible(state: Hyperstate, k: int) -> bool:
+    """Tell whether an orientation has a probability that is not known to be 0."""
+    return state.probability(k).rational != 0
+
+
 def _short(text: str) -> str:
     """Return ``".25"`` for ``"0.25"``, as tables print it, and ``"<.01"`` for ``"0.00"``."""
     if text == "0.00":
-        return "<.01"
+        return _NEXT_TO_NOTHING
     return text.removeprefix("0") if text.startswith("0.") else text
-
-
-def spread(
-    centers: Sequence[float], widths: Sequence[float], left: float, right: float
-) -> list[float] | None:
-    """Return centres of labels that do not overlap, near the given ones; None if too many.
-
-    Examples
-    --------
-    >>> spread([1.0, 1.5, 4.0], [1.0, 1.0, 1.0], 0.0, 5.0)
-    [0.75, 1.75, 4.0]
-    >>> spread([4.5, 4.6], [1.0, 1.0], 0.0, 5.0), spread([1, 2], [2, 2], 0, 3)
-    ([3.5, 4.5], None)
-    """
-    if sum(widths) > right - left:
-        return None
-    # Less the widths before it, no place may be below the one before: isotonic regression.
-    before = [sum(widths[:k]) + widths[k] / 2 for k in range(len(widths))]
-    blocks: list[tuple[float, int]] = []
-    for center, offset in zip(centers, before, strict=True):
-        total, count = center - offset, 1
-        while blocks and blocks[-1][0] * count > total * blocks[-1][1]:
-            sum_before, count_before = blocks.pop()
-            total, count = total + sum_before, count + count_before
-        blocks.append((total, count))
-    free = [total / count for total, count in blocks for _ in range(count)]
-    low, high = left, right - sum(widths)
-    return [min(max(z, low), high) + b for z, b in zip(free, before, strict=True)]
 
 
 def add_scale(scene: Scene, strip: Strip, size: float) -> None:

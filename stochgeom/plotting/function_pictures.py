@@ -20,6 +20,7 @@ from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import PartLike
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
+from stochgeom.plotting.bar_numbers import Room, bar_half, has_line, numbers_over_bars
 from stochgeom.plotting.curves import (
     Bar,
     Steps,
@@ -29,7 +30,7 @@ from stochgeom.plotting.curves import (
     turns_for,
     wave_of,
 )
-from stochgeom.plotting.distributions import bars_of_state, spread
+from stochgeom.plotting.distributions import bars_of_state, possible
 from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks, wave_limits
 from stochgeom.plotting.scene import MINUS
 from stochgeom.plotting.styles import INK, STYLES
@@ -49,6 +50,9 @@ def draw_diameter(
     part: PartLike | DiameterFunction, ax: Axes | None = None, *, turns: int = 1
 ) -> Axes:
     """Draw the diameter function: minima (stable) filled, maxima hollow (Figs. 4.3, D.1).
+
+    Remarks say where more than 40 minima are not marked, and where the axis does not begin at 0
+    because the diameter varies by less than an eighth.
 
     Parameters
     ----------
@@ -98,9 +102,18 @@ def _draw_wave(wave: Wave, turns: int, name: str, ax: Axes | None) -> Axes:
         ax.plot(wave.minima, wave.at_minima, label="minima: stable", **_dots(filled=True))
         ax.plot(wave.maxima, wave.at_maxima, label="maxima", **_dots(filled=False))
     ax.set_ylim(*wave_limits(wave))
+    if wave.limits[0]:  # whole numbers at the ticks, no sum of one and the rest
+        ax.ticklabel_format(axis="y", useOffset=False)
     ax.set_ylabel(name)
+    _remark(ax, wave.remark)
     _degrees(ax, turns)
     return ax
+
+
+def _remark(ax: Axes, text: str) -> None:
+    """Write above a graph on the right what its reader has to know."""
+    if text:
+        ax.set_title(text, loc="right", fontsize=LETTERS)
 
 
 def _dots(*, filled: bool) -> dict[str, Any]:
@@ -118,7 +131,7 @@ def _degrees(ax: Axes, turns: int, *, values: Sequence[float] = ()) -> None:
     """Give an axes degrees along x, and along y if values are given."""
     end = 360.0 * turns
     ax.set_xlim(0.0, end)
-    ticks = degree_ticks(end, most=max(3, min(9, int(_points(ax)[0] / (4.5 * LETTERS)))))
+    ticks = degree_ticks(end, most=max(3, min(9, int(size_in_points(ax)[0] / (4.5 * LETTERS)))))
     ax.set_xticks(ticks, [_shown(tick) for tick in ticks])
     if values:
         ax.set_yticks(list(values), [_shown(tick) for tick in values])
@@ -126,7 +139,7 @@ def _degrees(ax: Axes, turns: int, *, values: Sequence[float] = ()) -> None:
     ax.set_axisbelow(True)
 
 
-def _points(ax: Axes) -> tuple[float, float]:
+def size_in_points(ax: Axes) -> tuple[float, float]:
     """Return width and height of axes, as they are now, in points."""
     box, dpi = ax.get_window_extent(), ax.get_figure(root=True).dpi  # type: ignore[union-attr]
     return float(box.width * 72.0 / dpi), float(box.height * 72.0 / dpi)
@@ -141,7 +154,8 @@ def draw_step_function(
 ) -> Axes:
     """Draw a step function: ends that belong to a step filled (Figs. 4.4, 5.2, E.2, E.3).
 
-    The dashed diagonal is where an action leaves the part as it is.
+    The dashed diagonal is where an action leaves the part as it is. The ends of more than 40 steps
+    are not marked, and a remark says so.
 
     Parameters
     ----------
@@ -172,6 +186,7 @@ def draw_step_function(
     _draw_steps(ax, steps)
     ax.set_ylim(*limits)
     ax.set_ylabel(name or "orientation after")
+    _remark(ax, steps.remark)
     _degrees(ax, turns, values=value_ticks(*limits))
     return ax
 
@@ -232,7 +247,7 @@ def draw_preimages(
     labelled = [bar for bar in bars if (bar.steps - 1) % every == 0]
     ax.set_yticks([bar.steps for bar in labelled])
     for bar in labelled:
-        _width_label(ax, bar, 360.0 * turns)
+        write_width(ax, bar, bar.steps, 360.0 * turns)
     ax.grid(visible=False, axis="y")
     return ax
 
@@ -248,13 +263,13 @@ def _listed(chain: StepFunction | Preimages | Iterable[Preimage]) -> list[Preima
 
 def _label_every(ax: Axes, rows: int) -> int:
     """Return 1 if every row is high enough for text, else how many rows a label needs."""
-    return max(1, int(np.ceil(1.25 * LETTERS * rows / _points(ax)[1])))
+    return max(1, int(np.ceil(1.25 * LETTERS * rows / size_in_points(ax)[1])))
 
 
-def _width_label(ax: Axes, bar: Bar, end: float) -> None:
-    """Write a bar's width: behind it, before it where the axes end too soon, or else in it."""
+def write_width(ax: Axes, bar: Bar, y: float, end: float) -> None:
+    """Write a bar's width behind it, before it where the axes end too soon, or else in it."""
     text = f"{bar.width_text}°"
-    room = (0.62 * LETTERS * len(text) + 8.0) * end / _points(ax)[0]
+    room = (0.62 * LETTERS * len(text) + 8.0) * end / size_in_points(ax)[0]
     if bar.end + room <= end:
         place, shift, anchor = bar.end, 4, "left"
     elif bar.start - room >= 0.0:
@@ -263,7 +278,7 @@ def _width_label(ax: Axes, bar: Bar, end: float) -> None:
         place, shift, anchor = (bar.start + bar.end) / 2, 0, "center"
     ax.annotate(
         text,
-        (place, bar.steps),
+        (place, y),
         xytext=(shift, 0),
         textcoords="offset points",
         ha=anchor,
@@ -288,17 +303,40 @@ def draw_distribution(state: Hyperstate, ax: Axes | None = None) -> Axes:
     state = expect(state, Hyperstate, "a distribution, such as plan.distribution(1)")
     ax = axes_or_new(ax, (6.4, 2.4))
     places, shares = bars_of_state(state)
-    style = STYLES["bar"]
-    ax.bar(places, shares, width=3.0, facecolor=style.fill, edgecolor=style.stroke, linewidth=0.8)
+    style, half = STYLES["bar"], bar_half(places, 1.5, 0.2)
+    if half > 0.75:
+        ax.bar(places, shares, width=2 * half, facecolor=style.fill, edgecolor=style.stroke,
+               linewidth=0.8)  # fmt: skip
+    else:  # so close that nothing is seen between the edges of a bar
+        ax.vlines(places, 0.0, shares, colors=str(STYLES["curve"].stroke), linewidth=1.0)
     ax.set_ylim(0.0, 1.2 * max(shares))
     _degrees(ax, 1)
     ax.set_xlim(-6.0, 366.0)
     ax.set_ylabel("probability")
-    texts = state.probabilities(3) if len(state) <= _MOST_NUMBERS else ()
-    points = _points(ax)[0]
-    widths = [0.62 * LETTERS * (len(text) + 0.7) * 372.0 / points for text in texts]
-    placed = spread(places[: len(texts)], widths, -6.0, 366.0) or ()
-    for x, share, text in zip(placed, shares, texts, strict=False):
-        ax.annotate(text, (x, share), xytext=(0, 2), textcoords="offset points", ha="center",
-                    va="bottom", fontsize=LETTERS, color=INK)  # fmt: skip
+    if len(places) <= _MOST_NUMBERS:
+        texts = [t for k, t in enumerate(state.probabilities(3)) if possible(state, k)]
+        _write_over_bars(ax, places, shares, texts, half)
     return ax
+
+
+def _write_over_bars(
+    ax: Axes, places: Sequence[float], shares: Sequence[float], texts: Sequence[str], half: float
+) -> None:
+    """Write the bars' numbers above them and make room for these; they are placed in points."""
+    width, height = size_in_points(ax)
+    across = width / 372.0
+    line = 1.35 * LETTERS
+    lines = 4 if len(places) > 1 and height > 10 * line else 1
+    up = (height - lines * line) / max(shares)
+    room = Room(-5.0 * across, 365.0 * across, height, half * across, line, 0.2 * LETTERS)
+    centers, tops = [x * across for x in places], [share * up for share in shares]
+    widths = [0.62 * LETTERS * (len(text) + 0.7) for text in texts]
+    found = numbers_over_bars(centers, tops, widths, room)
+    top = max(y for _, y in found.values()) + 1.1 * line if found else 0.0
+    # Less room than was reckoned with only moves the numbers apart.
+    ax.set_ylim(0.0, max(1.05 * max(shares), top / up))
+    for k, (x, y) in found.items():
+        if has_line(centers[k], tops[k], (x, y), room):
+            ax.vlines(places[k], shares[k], (y + 0.15 * line) / up, colors=INK, linewidth=0.5)
+        ax.text(x / across, (y + 0.5 * line) / up, texts[k], ha="center", va="center",
+                fontsize=LETTERS, color=INK)  # fmt: skip

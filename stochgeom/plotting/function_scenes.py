@@ -87,6 +87,7 @@ def _step_panel(
         x_ticks=degree_ticks(steps.end),
         y_ticks=value_ticks(*panel.y),
         y_unit="°",
+        remark=steps.remark,
     )
     add_steps(scene, panel, steps)
     return size[1]
@@ -102,7 +103,13 @@ def _wave_panel(
     wave = wave_of(function, turns)
     panel = Panel(0.0, bottom, *size, (0.0, 360.0 * turns), wave_limits(wave))
     name = "diameter function" if isinstance(function, DiameterFunction) else "radius function"
-    panel.frame(scene, title=name, x_ticks=degree_ticks(panel.x[1]), y_ticks=round_ticks(*panel.y))
+    panel.frame(
+        scene,
+        title=name,
+        x_ticks=degree_ticks(panel.x[1]),
+        y_ticks=round_ticks(*panel.y),
+        remark=wave.remark,
+    )
     add_wave(scene, panel, wave)
 
 

@@ -55,8 +55,9 @@ class Panel:
         x_ticks: Sequence[float] = (),
         y_ticks: Sequence[float] = (),
         y_unit: str = "",
+        remark: str = "",
     ) -> None:
-        """Draw the frame, grid lines and ticks with labels, and the title above on the left."""
+        """Draw the frame, grid lines, ticks with labels; above a title, on the right a remark."""
         (x0, x1), (y0, y1) = self.x, self.y
         for x in x_ticks:
             scene.add(Line((self.at(x, y0), self.at(x, y1)), "grid"))
@@ -65,12 +66,14 @@ class Panel:
         for y in y_ticks:
             scene.add(Line((self.at(x0, y), self.at(x1, y)), "grid"))
             px, py = self.at(x0, y)
-            text = f"{y:g}".replace("-", MINUS) + y_unit
+            text = f"{y:.10g}".replace("-", MINUS) + y_unit
             scene.add(Label((px - 7, py), text, TEXT, "end"))
         low, high = self.at(x0, y0), self.at(x1, y1)
         scene.add(rectangle(low, high, "frame"))
         if title:
             scene.add(Label((low[0], high[1] + 0.8 * TEXT), title, TEXT, "start", bold=True))
+        if remark:
+            scene.add(Label((high[0], high[1] + 0.8 * TEXT), remark, 0.9 * TEXT, "end"))
 
 
 def degree_ticks(end: float, most: int = 9) -> list[float]:
@@ -121,15 +124,15 @@ def step_limits(steps: Steps) -> tuple[float, float]:
 
 
 def wave_limits(wave: Wave) -> tuple[float, float]:
-    """Return a range from 0 to above all values."""
-    return 0.0, 1.12 * float(wave.y.max())
+    """Return a range that shows all values, from 0 unless they hardly vary."""
+    return wave.limits
 
 
 # --- what stands in a panel ----------------------------------------------------------------------
 
 
 def add_wave(scene: Scene, panel: Panel, wave: Wave) -> None:
-    """Draw a diameter or radius function, its minima filled, its maxima hollow."""
+    """Draw a diameter or radius function, its minima filled, its maxima hollow, if they are few."""
     scene.add(Line(tuple(panel.at(x, y) for x, y in points_of(_thin(wave))), "curve"))
     if wave.marked:
         for xs, ys, style in (

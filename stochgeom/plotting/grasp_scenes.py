@@ -5,6 +5,7 @@ What the captions say is decided exactly; only the drawing is in floats.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from stochgeom.arguments import as_count
@@ -104,6 +105,8 @@ def _stability_caption(
 def reached_from(part: Part, theta: Angle, error: Angle) -> tuple[Angle, ...]:
     """Return the orientations in which a squeeze leaves theta - error to theta + error.
 
+    Each once, though the range may reach it at both of its ends, a full turn apart.
+
     Examples
     --------
     >>> rectangle = Part([(0, 0), (3, 0), (3, 2), (0, 2)])
@@ -112,14 +115,18 @@ def reached_from(part: Part, theta: Angle, error: Angle) -> tuple[Angle, ...]:
     """
     squeeze = squeeze_function(part)
     first, last = squeeze.step_at(theta - error), squeeze.step_at(theta + error)
-    return tuple(squeeze.lifted_values[k] for k in range(first, last + 1))
+    found: dict[Angle, Angle] = {}
+    for k in range(first, last + 1):
+        value = squeeze.lifted_values[k]
+        found.setdefault(value.reduced(), value)
+    return tuple(found.values())
 
 
-def error_scene(part: Part, theta: Angle, error: GripperError, *, most: int = 4) -> Scene:
+def error_scene(part: Part, theta: Angle, error: GripperError, *, most: int = MOST_GRASPS) -> Scene:
     """Return what a squeeze makes of an uncertain orientation (thesis Figs. 3.2 and 3.3).
 
     On the left the part at theta, dashed at theta - error and theta + error; on the right every
-    orientation that it may end in (at most ``most`` of them are drawn).
+    orientation that it may end in; of more than ``most`` so many, from the first to the last.
     """
     delta = as_gripper_error(error)
     body, scene = silhouette(part, _MOST_CORNERS), Scene()
@@ -131,17 +138,28 @@ def error_scene(part: Part, theta: Angle, error: GripperError, *, most: int = 4)
         scene.add(Line((turned.mass, points_of(turned.outline[:1].tolist())[0]), "ghost"))
     scene.add(*arrow((CELL / 2 - 0.1, 0.0), (CELL / 2 + 0.9, 0.0), 0.25))
     finals = reached_from(part, theta, delta)
-    for k, final in enumerate(finals[:most]):
-        x = CELL + 1.0 + k * CELL
-        scene.place(pose_shapes(Pose(body, shadow(final))), x)
+    shown = _spread(finals, most)
+    for k, final in enumerate(shown):
+        row, column = divmod(k, _PER_ROW)
+        x, y = CELL + 1.0 + column * CELL, -row * (CELL + 0.5)
+        scene.place(pose_shapes(Pose(body, shadow(final))), x, y)
         text = shown_degrees(final.degrees(2))
-        scene.add(Label((x, -CELL / 2 - 0.1), text, _SIZE))
+        scene.add(Label((x, y - CELL / 2 - 0.1), text, _SIZE))
     caption = f"{shown_degrees(theta.degrees(2))} ± {delta.degrees(2)}°"
     scene.add(Label((0.0, -CELL / 2 - 0.1), caption, _SIZE))
     scene.add(Label((CELL / 2 + 0.4, 0.4), "squeeze", _SIZE))
     if len(finals) == 1:
         verdict = "the error is cancelled"
     else:
-        verdict = f"{len(finals)} final orientations: the error is not cancelled"
+        drawn = f", {len(shown)} of them drawn" if len(shown) < len(finals) else ""
+        verdict = f"{len(finals)} final orientations{drawn}: the error is not cancelled"
     scene.add(Label((-CELL / 2, CELL / 2 + 0.2), verdict, _SIZE, "start", bold=True))
     return scene
+
+
+def _spread(values: Sequence[Angle], most: int) -> list[Angle]:
+    """Return all values, or so many of them, the first and the last among them."""
+    if len(values) <= most:
+        return list(values)
+    last = len(values) - 1
+    return [values[k * last // max(most - 1, 1)] for k in range(most)]

@@ -25,6 +25,9 @@ OPEN_GAP: Final = 1.12
 REACH: Final = float(np.hypot(JAW_HALF, OPEN_GAP + JAW_THICKNESS))
 """Radius of the disc that a part and its jaws stay in, open or closed, at any angle."""
 
+STUB: Final = 0.1
+"""Height of the stub on the outside of the lower jaw, and about half its width."""
+
 CONTACT_SIZE: Final = 0.06
 _FLUSH: Final = 1e-7
 """Vertices nearer to a jaw than that are drawn as touching it; nothing is decided by it."""
@@ -90,14 +93,20 @@ def hull_shape(body: Silhouette) -> Polygon:
 
 
 def jaw_shapes(pose: Pose) -> list[Shape]:
-    """Return the two jaws, lower first, in the gripper's frame."""
+    """Return the two jaws, lower first, in the gripper's frame.
+
+    A stub on the lower one tells the gripper from itself half a turn later.
+    """
     low, high = pose.gap
     idle = "jaw" if pose.closed else "open"
+    outside, stub = low - JAW_THICKNESS, low - JAW_THICKNESS - STUB
+    lower = ((-JAW_HALF, low), (JAW_HALF, low), (JAW_HALF, outside), (1.2 * STUB, outside),
+             (0.8 * STUB, stub), (-0.8 * STUB, stub), (-1.2 * STUB, outside),
+             (-JAW_HALF, outside))  # fmt: skip
     return [
-        rectangle((-JAW_HALF, low - JAW_THICKNESS), (JAW_HALF, low),
-                  "pushing" if pose.pushing else idle),
+        Polygon(lower, "pushing" if pose.pushing else idle),
         rectangle((-JAW_HALF, high), (JAW_HALF, high + JAW_THICKNESS), idle),
-    ]  # fmt: skip
+    ]
 
 
 def contact_shapes(pose: Pose) -> list[Shape]:

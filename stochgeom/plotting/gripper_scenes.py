@@ -7,15 +7,20 @@ flush. The motion drawn is that: floats, a schematic, no physics.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final, final
 
 import numpy as np
 
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.decimals import Rounding
 from stochgeom.exact.shadows import shadow
+from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
+from stochgeom.grasping.contacts import contacts_of
+from stochgeom.grasping.friction import Friction
 from stochgeom.plotting.grasp_scenes import contact_word
 from stochgeom.plotting.grasps import Pose, contact_shapes, part_shapes
 from stochgeom.plotting.scene import (
@@ -164,11 +169,30 @@ def closing_scene(part: Part, theta: Angle) -> Scene:
     return scene
 
 
+def least_friction(part: Part, theta: Angle) -> Friction:
+    """Return the friction that only more friction than that holds a part in an orientation.
+
+    Between two vertices, or with an edge flush that is not stable by itself; none where it is.
+
+    Examples
+    --------
+    >>> square = Part([(0, 0), (1, 0), (1, 1), (0, 1)])
+    >>> str(least_friction(square, Angle(0, (3, 1)))), str(least_friction(square, Angle()))
+    ('1/2', '0')
+    """
+    found, place = contacts_of(DiameterFunction(part)), theta.reduced()
+    p = bisect_right(found.starts, place) - 1
+    if p >= 0 and found.starts[p] == place:
+        return Friction(max(found.before[p], -found.after[p], ZERO))
+    rho = found.normal(p) - place
+    return Friction(max(rho, -rho))
+
+
 def wedged_or_stable_scene(part: Part, theta: Angle) -> Scene:
     """Return the same grasp without and with the sliding jaw (thesis Figs. B.2 and 3.4).
 
-    Without it friction may hold the part where the jaws first touched it; with it the part turns
-    on to a stable orientation.
+    Without it friction may hold the part where the jaws first touched it: the caption says how much
+    friction that takes, rounded up. With it the part turns on to a stable orientation.
     """
     body, start = silhouette(part, 150), shadow(theta)
     final = squeeze_function(part)(theta)
@@ -177,7 +201,14 @@ def wedged_or_stable_scene(part: Part, theta: Angle) -> Scene:
     last = rolling(body, start, shadow(final))
     scene.place(_held(body, _centred(last, last), sliding=True), _PITCH)
     word = contact_word(part, theta)
-    scene.add(Label((0.0, -1.85), f"friction: {word} at {shown_degrees(theta.degrees(2))}", _SIZE))
+    place = f"{word} at {shown_degrees(theta.degrees(2))}"
+    if word != "stable":
+        least = least_friction(part, theta)
+        held = "" if word == "wedged" else ", held"
+        place += held + (
+            f" if μ > {least.decimal(4, Rounding.UP)}" if least.angle else " by any friction"
+        )
+    scene.add(Label((0.0, -1.85), f"friction: {place}", _SIZE))
     with_plate = f"sliding jaw: stable at {shown_degrees(final.degrees(2))}"
     scene.add(Label((_PITCH, -1.85), with_plate, _SIZE))
     return scene

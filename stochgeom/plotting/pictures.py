@@ -192,6 +192,8 @@ def draw_closing(part: PartLike, theta: Orientation, ax: Axes | None = None) -> 
 def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None) -> Axes:
     """Draw one grasp without and with the sliding jaw: held by friction, or stable (Fig. B.2).
 
+    The caption says which coefficient of friction holds the part, rounded up.
+
     Parameters
     ----------
     part : Part, or its vertices
@@ -207,7 +209,7 @@ def draw_sliding_jaw(part: PartLike, theta: Orientation, ax: Axes | None = None)
     >>> from stochgeom.geometry.part import Part
     >>> ax = draw_sliding_jaw(Part.regular(6), 20, Figure().subplots())
     >>> [text.get_text() for text in ax.texts]
-    ['friction: wedged at 20.00°', 'sliding jaw: stable at 0.00°']
+    ['friction: wedged at 20.00° if μ > 0.1764', 'sliding jaw: stable at 0.00°']
     """
     need_matplotlib()
     return draw_scene(wedged_or_stable_scene(as_part(part), as_angle(theta)), ax, inches=0.8)
@@ -222,6 +224,9 @@ def draw_trace(
 ) -> Axes:
     """Draw a plan at work: part and gripper after each action (thesis Figs. 1.1, 4.5, 4.6, E.5).
 
+    As a camera above the gripper sees it. A stub marks the jaw that is the lower one while the
+    gripper stands at 0 degrees; angles under the columns are relative to the gripper.
+
     Parameters
     ----------
     plan : FeedingPlan
@@ -230,7 +235,8 @@ def draw_trace(
         Where; default: on a new figure.
     orientations : sequence, optional
         Angles, or degrees: the orientations before the first action, a column for each. Default:
-        one in every step of the transfer function, at most eight.
+        one in every step of the transfer function, at most eight. Under a prior only what
+        arrives: its points, or the middles of five equal shares of it.
     distribution : bool
         Whether the probability of each orientation is drawn beside each action.
 

@@ -9,16 +9,17 @@ from typing import Final
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.exact.angles import Angle
 from stochgeom.feeding.actions import Action
+from stochgeom.plotting.bar_numbers import Room, bar_half, has_line, numbers_over_bars
 from stochgeom.plotting.curves import in_degrees
+from stochgeom.plotting.distributions import possible
 from stochgeom.plotting.graph import TEXT, degree_ticks
-from stochgeom.plotting.scene import XY, Disc, Label, Line, Polygon, Scene, rectangle
+from stochgeom.plotting.scene import GLYPH_WIDTH, Disc, Label, Line, Polygon, Scene, rectangle
 
 _LEFT: Final = 84.0
 _WIDTH: Final = 760.0
 _ROW: Final = 80.0
 _BAR_ROW: Final = 26.0
 _MOST_LABELS: Final = 16
-_LABEL_ROOM: Final = 26.0
 
 
 def distribution_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> Scene:
@@ -46,26 +47,27 @@ def distribution_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> S
 
 
 def _add_stems(scene: Scene, state: Hyperstate, base: float, goal: Angle) -> None:
-    labelled = len(state) <= _MOST_LABELS
-    half = 4.0 if labelled else 1.8
-    written: list[XY] = []
-    for k, orientation in enumerate(state.orientations):
-        height = (_ROW - 3.1 * TEXT) * float(state.probability(k).decimal(4))
-        x = _LEFT + _WIDTH * in_degrees(orientation) / 360
-        style = "image" if orientation == goal else "bar"
-        scene.add(rectangle((x - half, base), (x + half, base + max(height, 0.8)), style))
-        if labelled:
-            y = _free_height(base + height + 0.75 * TEXT, x, written)
-            written.append((x, y))
-            scene.add(Label((x, y), state.probability(k).decimal(2), 0.9 * TEXT))
-
-
-def _free_height(y: float, x: float, written: Sequence[XY]) -> float:
-    """Return the least height from y on where a label at x touches none of those written."""
-    for left, other in sorted(written, key=lambda place: place[1]):
-        if x - left < _LABEL_ROOM and abs(y - other) < TEXT:
-            y = other + TEXT
-    return y
+    kept = [k for k in range(len(state)) if possible(state, k)]
+    places = [_WIDTH * in_degrees(state.orientations[k]) / 360 for k in kept]
+    shares = [float(state.probability(k).decimal(4)) for k in kept]
+    heights = [max((_ROW - 3.1 * TEXT) * share, 0.8) for share in shares]
+    labelled = len(kept) <= _MOST_LABELS
+    half = bar_half(places, 4.0 if labelled else 1.8, 0.4)
+    for k, x, height in zip(kept, places, heights, strict=True):
+        style = "image" if state.orientations[k] == goal else "bar"
+        left = _LEFT + x
+        scene.add(rectangle((left - half, base), (left + half, base + height), style))
+    if not labelled:
+        return
+    size = 0.9 * TEXT
+    texts = [state.probability(k).decimal(2) for k in kept]
+    widths = [GLYPH_WIDTH * size * (len(text) + 0.5) for text in texts]
+    room = Room(-widths[0] / 2, _WIDTH + widths[-1] / 2, _ROW - 2.0, half, 1.2 * size, 0.2 * size)
+    for k, (x, y) in numbers_over_bars(places, heights, widths, room).items():
+        if has_line(places[k], heights[k], (x, y), room):
+            foot = (_LEFT + places[k], base + heights[k])
+            scene.add(Line((foot, (foot[0], base + y + 1.5)), "leader"))
+        scene.add(Label((_LEFT + x, base + y + 0.6 * size), texts[k], size))
 
 
 def tolerance_scene(actions: Sequence[tuple[int, Action]]) -> Scene:

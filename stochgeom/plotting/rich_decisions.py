@@ -9,10 +9,14 @@ from stochgeom.decision.decision_rules import DecisionProblem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.plotting.hyperstate_trees import open_loop_scene
+from stochgeom.plotting.part_scenes import part_scene
 from stochgeom.plotting.rich_html import MOST_ROWS, table_html
 from stochgeom.plotting.svg import svg_document, text_of
 from stochgeom.plotting.tree_scenes import tree_scene
+from stochgeom.sensing.recognition import RecognitionProblem
+from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.sensor_plan import SensorPlan
+from stochgeom.sensing.sensors import Sensor
 
 _MOST_COLUMNS: Final = 10
 _MOST_LETTERS: Final = 24
@@ -61,6 +65,48 @@ def decision_problem_html(problem: DecisionProblem) -> str:
     ]
     summary = f"decision problem: {', '.join(counts)}"
     return f"<p>{text_of(summary)}</p>\n{table_html(header, _cut(rows))}"
+
+
+def sensing_problem_html(problem: SensingProblem) -> str:
+    """Return a picture of the part over its orientations and what the sensor reads in them."""
+    found = problem.orienting.problem
+    name = problem.part.name or "part"
+    summary = f"{name}: {_told(found, problem.sensor)}"
+    picture = svg_document(part_scene(problem.part), title=name, scale=60.0)
+    names = [f"{state}°" for state in found.states]
+    table = _sensor_table(["orientation"], [[name] for name in names], found, problem.sensor)
+    return f"<p>{text_of(summary)}</p>\n{picture}\n{table}"
+
+
+def recognition_problem_html(problem: RecognitionProblem) -> str:
+    """Return the parts with their orientations and what the sensor reads in them."""
+    found = problem.problem
+    summary = f"{_counted(len(problem.names), 'part')}: {_told(found, problem.sensor)}"
+    names = [[_short(part), f"{theta}°"] for part, theta in found.states]
+    table = _sensor_table(["part", "orientation"], names, found, problem.sensor)
+    return f"<p>{text_of(summary)}</p>\n{table}"
+
+
+def _told(problem: PlanningProblem, sensor: Sensor) -> str:
+    return (
+        f"{_counted(len(problem.states), 'orientation')}, "
+        f"{_counted(len(problem.actions), 'squeeze')}, "
+        f"a sensor of {_counted(len(sensor.readings), 'reading')}"
+    )
+
+
+def _sensor_table(
+    header: list[str], names: list[list[str]], problem: PlanningProblem, sensor: Sensor
+) -> str:
+    """Return a row for each state: its prior probability and the reading that is likeliest."""
+    rows = []
+    for name, state, share in zip(names, problem.states, problem.prior, strict=True):
+        chances = [sensor.probability(reading, state) for reading in sensor.readings]
+        best = max(range(len(chances)), key=lambda k: (chances[k], -k))
+        reading = f"{_short(sensor.readings[best])} ({number_decimal(chances[best])})"
+        rows.append([*name, number_decimal(_plain(share)), reading])
+    columns = [*header, "probability", "likeliest reading (probability)"]
+    return table_html(columns, _cut(rows))
 
 
 def sensor_plan_html(plan: SensorPlan) -> str:

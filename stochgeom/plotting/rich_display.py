@@ -30,6 +30,8 @@ from stochgeom.plotting.part_scenes import part_scene
 from stochgeom.plotting.rich_decisions import (
     decision_problem_html,
     planning_problem_html,
+    recognition_problem_html,
+    sensing_problem_html,
     sensor_plan_html,
 )
 from stochgeom.plotting.rich_html import MOST_PREIMAGES, plan_html, problem_html
@@ -161,6 +163,8 @@ RENDERERS: Final[Renderers] = {
     ("Preimages", "svg"): preimages_svg,
     ("PushStability", "svg"): push_svg,
     ("RadiusFunction", "svg"): wave_svg,
+    ("RecognitionProblem", "html"): recognition_problem_html,
+    ("SensingProblem", "html"): sensing_problem_html,
     ("SensorPlan", "html"): sensor_plan_html,
     ("SqueezeStability", "svg"): squeeze_svg,
     ("StepFunction", "svg"): step_function_svg,

@@ -14,7 +14,7 @@ from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.scene import shown_degrees
 from stochgeom.plotting.svg import svg_document, text_of
-from stochgeom.plotting.trace_scenes import trace_scene, typical_orientations
+from stochgeom.plotting.trace_scenes import trace_scene
 
 MOST_ROWS: Final = 12
 """Longer tables are cut in a notebook."""
@@ -27,7 +27,7 @@ MOST_PREIMAGES: Final = 40
 
 def plan_html(plan: FeedingPlan) -> str:
     """Return a plan's traces, or its funnel if it is long, over the table of its actions."""
-    what = f"{plan.steps} {plan.action_name} action{'s' if plan.steps != 1 else ''}"
+    what = plan.counted_actions
     name = plan.part.name if plan.part is not None and plan.part.name else "plan"
     summary = (
         f"{name}: {what}, expected cost {plan.expected_cost.decimal(4)}, "
@@ -48,7 +48,7 @@ def plan_html(plan: FeedingPlan) -> str:
 
 def _plan_picture(plan: FeedingPlan, title: str) -> str:
     if plan.part is not None and plan.steps <= _MOST_TRACED:
-        scene = trace_scene(plan, typical_orientations(plan, _COLUMNS))
+        scene = trace_scene(plan, most=_COLUMNS)
         return svg_document(scene, title=title, scale=20.0) + "\n"
     if plan.steps <= MOST_ROWS:
         return svg_document(funnel_scene(plan), title=title, scale=1.0) + "\n"

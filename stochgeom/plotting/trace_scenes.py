@@ -3,7 +3,7 @@
 Drawn as a camera above the gripper sees it: the gripper stands at the sum of the turns so far, the
 part at its orientation relative to the gripper plus that sum. So every column shows the same
 motion of the gripper, which is the point of a plan without sensors (thesis Figs. 1.1, 4.5, 4.6,
-E.5, E.8).
+E.5, E.8). A stub on the jaw that is the lower one at 0 degrees tells 0 from 180.
 """
 
 from __future__ import annotations
@@ -14,14 +14,13 @@ from typing import Final
 from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
-from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.distributions import Strip, add_distribution, add_prior, add_scale
 from stochgeom.plotting.grasps import REACH, Pose, pose_shapes
+from stochgeom.plotting.sample_orientations import Sample, sample_orientations
 from stochgeom.plotting.scene import Label, Line, Scene, Shape, shown_degrees
 from stochgeom.plotting.silhouettes import Silhouette, silhouette
-from stochgeom.transfer.step_function import StepFunction
 
 MOST_COLUMNS: Final = 8
 CELL: Final = 2 * REACH + 0.2
@@ -34,6 +33,7 @@ def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[A
     """Return an initial orientation inside every step of the first action, or inside some.
 
     Inside the larger part of the step beside what it maps to, so that the part is seen to turn.
+    Under a prior only orientations that arrive.
 
     Examples
     --------
@@ -42,23 +42,7 @@ def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[A
     >>> [theta.degrees(1) for theta in typical_orientations(plan)]
     ['26.6', '108.4', '206.6', '288.4']
     """
-    if most < 1:
-        raise InputError(f"{most} traces; accepted: 1 or more")
-    transfer, first = plan.transfer, plan.angles[0]
-    count = len(transfer) * transfer.order
-    chosen = range(count) if count <= most else [count * k // most for k in range(most)]
-    found = [(_inside(transfer, k) + first).reduced() for k in chosen]
-    return tuple(sorted(found))
-
-
-def _inside(transfer: StepFunction, k: int) -> Angle:
-    """Return an orientation in the middle of step k, or of its larger part beside its value."""
-    start, end = transfer.lifted_breaks[k], transfer.lifted_breaks[k + 1]
-    value = transfer.lifted_values[k]
-    if not start < value < end:
-        return nominal_angle(start, end)
-    before = value - start > end - value
-    return nominal_angle(start, value) if before else nominal_angle(value, end)
+    return sample_orientations(plan, most).orientations
 
 
 def trace_scene(
@@ -67,6 +51,7 @@ def trace_scene(
     *,
     distribution: bool = True,
     digits: int = 1,
+    most: int = MOST_COLUMNS,
 ) -> Scene:
     """Return the traces of a plan, a column for each initial orientation.
 
@@ -75,11 +60,13 @@ def trace_scene(
     plan : FeedingPlan
         The plan of a part.
     orientations : sequence of Angle, optional
-        Before the first action; default: `typical_orientations`.
+        Before the first action; default: `typical_orientations`, and what they are in words.
     distribution : bool
         Whether the hyperstate after each action is drawn beside the poses.
     digits : int
         Decimals of the angles.
+    most : int
+        Columns at most, if no orientations are given.
 
     Raises
     ------
@@ -89,7 +76,9 @@ def trace_scene(
     plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
     if plan.part is None:
         raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
-    chosen = typical_orientations(plan) if orientations is None else tuple(orientations)
+    sample = Sample(tuple(orientations), "") if orientations is not None else None
+    sample = sample or sample_orientations(plan, most)
+    chosen = sample.orientations
     if not chosen:
         raise InputError("0 traces; accepted: 1 or more")
     body = silhouette(plan.part, _MOST_CORNERS)
@@ -104,6 +93,7 @@ def trace_scene(
         _final(scene, plan, states[-1], (x, -(plan.steps + 0.5) * CELL - 0.3), digits)
     for row in range(plan.steps + 1):
         _caption(scene, plan, row, digits)
+    _add_ends(scene, plan, sample.words)
     right = (len(chosen) - 0.5) * CELL
     if distribution:
         _add_distributions(scene, plan, right + 0.8)
@@ -144,6 +134,18 @@ def _caption(scene: Scene, plan: FeedingPlan, row: int, digits: int) -> None:
         scene.add(Label(place, line, _SIZE, "end", bold=row > 0 and k == 0))
 
 
+def _add_ends(scene: Scene, plan: FeedingPlan, words: str) -> None:
+    """Write beside the angles above and below the columns what they are."""
+    x = -CELL / 2 - 0.3
+    rows = (
+        (CELL / 2 + 0.3, ("orientation", f"({words})") if words else ("orientation",)),
+        (-(plan.steps + 0.5) * CELL - 0.3, ("orientation at the end", "relative to the gripper")),
+    )
+    for y, lines in rows:
+        for k, line in enumerate(lines):
+            scene.add(Label((x, y - 1.24 * k * _SIZE), line, _SIZE, "end"))
+
+
 def _add_distributions(scene: Scene, plan: FeedingPlan, left: float) -> None:
     def strip(row: int) -> Strip:
         return Strip(left, -row * CELL - 0.36 * CELL, _STRIP_WIDTH, 0.62 * CELL)
@@ -152,7 +154,7 @@ def _add_distributions(scene: Scene, plan: FeedingPlan, left: float) -> None:
     scene.add(Label((left, CELL / 2 + 0.3), heading, 0.8 * _SIZE, "start"))
     add_prior(scene, strip(0), plan.prior, _SIZE)
     for row, outcome in enumerate(plan.outcomes(), start=1):
-        add_distribution(scene, strip(row), outcome.hyperstate(), _SIZE)
+        add_distribution(scene, strip(row), outcome.hyperstate(), _SIZE, 0.84 * CELL)
     add_scale(scene, strip(plan.steps), 0.8 * _SIZE)
 
 

@@ -37,6 +37,8 @@ class PlanTree(Displayed):
         with the sign turned.
     action_form : str, default "do {}"
         How texts name an action.
+    decision_form : str, default "{}"
+        How texts name a decision, such as ``"{}°"`` for angles.
 
     Examples
     --------
@@ -61,6 +63,7 @@ class PlanTree(Displayed):
     states: tuple[Any, ...]
     accepts: bool = True
     action_form: str = "do {}"
+    decision_form: str = "{}"
 
     def nodes(self) -> Iterator[Node]:
         """Yield all nodes, each before those below it."""
@@ -108,7 +111,7 @@ class PlanTree(Displayed):
     @property
     def words(self) -> Wording:
         """How texts and drawings speak of the tree."""
-        return Wording(self.accepts, self.action_form)
+        return Wording(self.accepts, self.action_form, self.decision_form)
 
     # --- pictures --------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ So a triangle cannot be told from the hexagon of the same diameter function.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, final
 
@@ -24,6 +25,7 @@ from gmpy2 import mpq
 from stochgeom.decision.labels import Labels
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.decision.priors import as_share
+from stochgeom.display import Displayed
 from stochgeom.errors import SensorError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.directions import nominal_angle
@@ -46,7 +48,7 @@ State = tuple[Any, str]
 
 
 @final
-class RecognitionProblem:
+class RecognitionProblem(Displayed):
     """Several parts, one of which lies between the jaws.
 
     Parameters
@@ -82,7 +84,7 @@ class RecognitionProblem:
     >>> print(plan.tree.text(2))
     read diameter
       2 (0.81)
-        do 90.0000
+        turn 90.0000°, squeeze
         read diameter
           2 (0.62): square (0.00)
           3 (0.38): plate (5.00)
@@ -125,6 +127,13 @@ class RecognitionProblem:
         }
         self.sensor: Sensor = sensor_of_diameters(squares, bits, noise, **settings)
 
+    def __repr__(self) -> str:
+        readings = len(self.sensor.readings)
+        return (
+            f"<RecognitionProblem: {len(self.names)} parts, {len(self.problem.actions)} squeezes, "
+            f"a sensor of {readings} reading{'s' if readings != 1 else ''}>"
+        )
+
     # --- plans -----------------------------------------------------------------------------------
 
     def decisions(self, mistake_cost: RationalLike = 1) -> Decisions:
@@ -155,7 +164,7 @@ class RecognitionProblem:
         **more
             As for `sensor_plan`.
         """
-        return sensor_plan(
+        plan = sensor_plan(
             self.problem,
             {self.sensor.name: self.sensor},
             horizon,
@@ -163,6 +172,7 @@ class RecognitionProblem:
             decisions=self.decisions(mistake_cost),
             **more,
         )
+        return replace(plan, tree=replace(plan.tree, action_form="turn {}°, squeeze"))
 
     def recognised(self, plan: SensorPlan) -> Any:
         """Return the probability that a plan names the right part."""

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, final
 
 from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.costs import as_cost_ratio
+from stochgeom.display import Displayed
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.planning_problems import OrientingProblem, planning_problem_of_transfer
@@ -64,7 +65,7 @@ class OrderComparison:
 
 
 @final
-class SensingProblem:
+class SensingProblem(Displayed):
     """Plans with a jaw-diameter sensor for a part.
 
     Parameters
@@ -153,6 +154,14 @@ class SensingProblem:
             digits=digits,
         )
 
+    def __repr__(self) -> str:
+        name = f" for {self.part.name}" if self.part.name else ""
+        problem, readings = self.orienting.problem, len(self.sensor.readings)
+        return (
+            f"<SensingProblem{name}: {len(problem.states)} orientations, {len(problem.actions)} "
+            f"squeezes, a sensor of {readings} reading{'s' if readings != 1 else ''}>"
+        )
+
     @property
     def round_cost(self) -> Any:
         """Cost of the random first squeeze and of the filter."""
@@ -202,7 +211,8 @@ class SensingProblem:
             time_limit=time_limit,
             progress=progress,
         )
-        return replace(plan, tree=replace(plan.tree, action_form="turn {}, squeeze"))
+        tree = replace(plan.tree, action_form="turn {}°, squeeze", decision_form="{}°")
+        return replace(plan, tree=tree)
 
     def compare_orders(
         self, actions: int, *, mixed: SensorPlan | None = None, **settings: Any

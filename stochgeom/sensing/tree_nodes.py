@@ -131,7 +131,10 @@ class Wording:
         with the sign turned.
     action_form : str
         How an action is named, such as ``"do {}"``.
+    decision_form : str
+        How a decision is named, such as ``"{}°"`` where states are labelled by their degrees.
     """
 
     accepts: bool = True
     action_form: str = "do {}"
+    decision_form: str = "{}"

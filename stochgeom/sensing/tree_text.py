@@ -35,7 +35,8 @@ def move_text(node: Node, words: Wording, digits: int) -> str:
     if isinstance(node, Sense):
         return f"read {label_text(node.sensor)}"
     worth = quotient(node.gain if words.accepts else 0 - node.gain, mass_of(node))
-    text = f"{label_text(node.decision)} ({number_decimal(worth, digits)})"
+    decision = words.decision_form.format(label_text(node.decision))
+    text = f"{decision} ({number_decimal(worth, digits)})"
     return ("accept " if words.accepts else "") + text + (", good enough" * node.truncated)
 
 

@@ -15,8 +15,8 @@ from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.push_stability import Motion, PushStability
 from stochgeom.grasping.squeeze_stability import SqueezeStability
+from stochgeom.plotting.bar_numbers import Room, numbers_over_bars
 from stochgeom.plotting.curves import bars_of, in_degrees, steps_of, turns_for, wave_of
-from stochgeom.plotting.distributions import spread
 from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
 from stochgeom.plotting.grasp_scenes import contact_word, reached_from, stable_scene
@@ -128,23 +128,41 @@ def test_labels_stand_apart_and_svg_is_well_formed(part, action):
         assert len(parsed(svg_document(scene, title="any"))) == len(scene.shapes) + 2
 
 
-places = st.lists(st.tuples(st.integers(0, 40), st.integers(1, 6)), max_size=8)
+bars = st.dictionaries(
+    st.integers(0, 40), st.tuples(st.integers(0, 8), st.integers(1, 6)), max_size=8
+)
 
 
-@given(places)
-def test_spread_labels_keep_their_order_and_do_not_overlap(rows):
-    centers, widths = [float(c) for c, _ in sorted(rows)], [float(w) for _, w in sorted(rows)]
-    found = spread(centers, widths, 0.0, 40.0)
-    if found is None:
-        assert sum(widths) > 40
-        return
-    edges = [(x - w / 2, x + w / 2) for x, w in zip(found, widths, strict=True)]
-    assert all(a[1] <= b[0] + 1e-9 for a, b in pairwise(edges))
-    assert all(low >= -1e-9 and high <= 40 + 1e-9 for low, high in edges)
-    apart = all(c + (w + v) / 2 <= d for (c, w), (d, v) in pairwise(sorted(rows)))
-    inside = all(w / 2 <= c <= 40 - w / 2 for c, w in rows)
-    if apart and inside:
-        assert found == centers  # nothing moves without need
+@given(bars)
+def test_numbers_stand_over_their_own_bars_and_apart(rows):
+    centers = [float(center) for center in sorted(rows)]
+    tops = [float(rows[center][0]) for center in sorted(rows)]
+    widths = [float(rows[center][1]) for center in sorted(rows)]
+    room = Room(-1.0, 41.0, 12.0, half=0.2, height=1.0, pad=0.1)
+    found = numbers_over_bars(centers, tops, widths, room)
+    boxes = {k: (x - widths[k] / 2, y, x + widths[k] / 2, y + 1.0) for k, (x, y) in found.items()}
+    for k, (left, low, right, high) in boxes.items():
+        assert left >= -1.0 - 1e-9
+        assert right <= 41.0 + 1e-9
+        assert high <= 12.0 + 1e-9
+        assert left - 1e-9 <= centers[k] <= right + 1e-9  # a line straight up meets the number
+        assert low >= tops[k]
+        for j, (other_left, other_low, other_right, other_high) in boxes.items():
+            if j == k:
+                continue
+            apart = min(right, other_right) - max(left, other_left) <= 1e-9
+            assert apart or low >= other_high - 1e-9 or high <= other_low + 1e-9
+            if other_left + 0.1 < centers[k] < other_right - 0.1:  # and no other number
+                assert low <= other_low + 1e-9 or tops[k] >= other_high - 1e-9
+        for center, top in zip(centers, tops, strict=True):
+            covered = left + 0.1 < center + 0.2 and center - 0.2 < right - 0.1
+            assert not covered or low >= top
+    spaced = all(
+        b - a >= (v + w) / 2 + 0.4 for (a, v), (b, w) in pairwise(zip(centers, widths, strict=True))
+    )
+    inside = all(c - w / 2 >= -1 and c + w / 2 <= 41 for c, w in zip(centers, widths, strict=True))
+    if spaced and inside:
+        assert list(found.values()) == list(zip(centers, tops, strict=True))  # right above
 
 
 @given(pushable_parts(), st.sampled_from(["0", "1/10", "1/2", "2"]))

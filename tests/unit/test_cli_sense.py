@@ -34,11 +34,11 @@ Squeeze, look once, accept
 
 Best plan of at most 2 moves after the first squeeze
   read diameter
-    below 2.5 (0.7670): accept 90.0000 (0.4936)
+    below 2.5 (0.7670): accept 90.0000° (0.4936)
     from 2.5 (0.2330)
       read diameter
-        below 2.5 (0.1953): accept 90.0000 (0.3976)
-        from 2.5 (0.8047): accept 0.0000 (0.4952)
+        below 2.5 (0.1953): accept 90.0000° (0.3976)
+        from 2.5 (0.8047): accept 0.0000° (0.4952)
   expected cost 4.0855: a round costs 2.0000 and succeeds with 0.4895.
 
 Look first or squeeze first?
@@ -70,7 +70,7 @@ class TestText:
 
     def test_the_horizon(self, capsys):
         out = call(capsys, "sense", "house", "--horizon", "0").out
-        assert "Best plan of at most 0 moves after the first squeeze\n  accept 90.0000" in out
+        assert "Best plan of at most 0 moves after the first squeeze\n  accept 90.0000°" in out
         assert "Look first" not in out
         one = call(capsys, "sense", "house", "--horizon", "1").out
         assert "With and without a look\n" in one

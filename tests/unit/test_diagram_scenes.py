@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -187,6 +188,14 @@ class TestTreesOfPlans:
         plan = sg.iterative_sensor_plan(self.PROBLEM, sensor, stages=["sense", "act", "sense"])
         assert overlapping_labels(tree_scene(plan.tree)) == []
 
+    def test_angles_are_told_from_probabilities_and_distances(self):
+        """States and squeezes of a part are labelled by degrees, and say so."""
+        part = [(52, 58), (0, 55), (8, 17), (51, 0)]
+        tree = sg.SensingProblem(part, 1, "0.3").plan(stages=["act", "sense"]).tree
+        moves = [text for text in tree_scene(tree).labels() if text.startswith(("accept", "turn"))]
+        assert {text.split()[0] for text in moves} == {"accept", "turn"}
+        assert all("°" in text.split(" (")[0] for text in moves)
+
     def test_an_arc_spans_the_branches_of_a_sensing(self):
         sensor = sg.Sensor.perfect(["a", "b", "c"])
         tree = sg.iterative_sensor_plan(self.PROBLEM, sensor, stages=["sense"]).tree
@@ -253,6 +262,10 @@ class TestCurves:
     @pytest.fixture(autouse=True)
     def _matplotlib(self):
         pytest.importorskip("matplotlib")
+        yield
+        import matplotlib.pyplot as plt
+
+        plt.close("all")
 
     @staticmethod
     def axes():
@@ -310,6 +323,41 @@ class TestCurves:
         for share, low, high in zip(shares, edges, edges[1:], strict=False):
             inside = (x >= low) & (x <= high)
             assert np.trapezoid(y[inside], x[inside]) == pytest.approx(share, abs=2e-3)
+
+    def test_narrow_bins_are_named_upright_and_the_narrowest_counted(self):
+        """Found with 17 bins, of which 15 had no probability."""
+        ax = sg.draw_sensor_density(10, "3", range(0, 32, 2))
+        assert len(ax.texts) == 17
+        assert {text.get_rotation() for text in ax.texts} == {0, 90}
+        assert "named" not in ax.get_xlabel()
+        fine = sg.draw_sensor_density(10, "3", [mpq(k, 10) for k in range(90, 111)])
+        assert (
+            fine.get_xlabel() == f"data ({22 - len(fine.texts)} of 22 bins too narrow to be named)"
+        )
+        for axes in (ax, fine):
+            axes.get_figure().draw_without_rendering()
+            boxes = sorted(text.get_window_extent().extents.tolist() for text in axes.texts)
+            assert all(one[2] <= other[0] + 0.5 for one, other in pairwise(boxes))
+
+    def test_long_rules_are_told_whole_beside_the_axes(self):
+        """Found with a legend that ended in "throw it awa; at most" and left the picture."""
+        test = sg.DecisionProblem(
+            ["readable", "unreadable"],
+            ["short", "long", "none"],
+            ["keep it", "unreadable: throw it away"],
+            [["8/10", "1/10", "1/10"], ["1/10", "2/10", "7/10"]],
+            [[0, 5], [8, 0]],
+        )
+        for ax in (None, self.axes()):
+            drawn = sg.draw_risks(test, None, ax)
+            figure = drawn.get_figure()
+            figure.draw_without_rendering()
+            legend = drawn.get_legend()
+            rules = [text.get_text() for text in legend.get_texts()]
+            assert all(rule.count("keep it") + rule.count("throw it away") == 3
+                       for rule in (rule.replace("\n", " ") for rule in rules))  # fmt: skip
+            assert all("at most" in rule for rule in rules)
+            assert legend.get_window_extent().x1 <= figure.bbox.x1
 
     def test_probabilities_of_bins_are_rounded_one_by_one(self):
         """Seven edges a deviation apart; rounded to a sum of 1 one of them would be .3415."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 import sys
 
@@ -148,6 +149,26 @@ class TestOnAxes:
         assert b"dc:date" not in first
         assert b"CreationDate" not in first
 
+    @pytest.mark.parametrize(
+        "name", ["draw_beta_density", "draw_diameter", "draw_sensed_blocks", "draw_risks"]
+    )
+    def test_what_was_saved_before_does_not_matter(self, name, tmp_path):
+        """Found with 90 dots per inch, after which labels and axes stood elsewhere."""
+        used, new = DRAWINGS[name](None), DRAWINGS[name](None)
+        sg.save_figure(used, tmp_path / "before.png", dpi=90)
+        for ending in ("svg", "png"):
+            for ax, path in ((used, tmp_path / f"1.{ending}"), (new, tmp_path / f"2.{ending}")):
+                sg.save_figure(ax, path, dpi=130)
+            assert (tmp_path / f"1.{ending}").read_bytes() == (
+                tmp_path / f"2.{ending}"
+            ).read_bytes()
+
+    def test_axes_that_were_placed_by_hand_stay_there(self, tmp_path):
+        ax = sg.draw_diameter(RECTANGLE)
+        ax.set_position((0.3, 0.3, 0.5, 0.5))
+        sg.save_figure(ax, tmp_path / "a.png", dpi=40)
+        assert ax.get_position().bounds == pytest.approx((0.3, 0.3, 0.5, 0.5))
+
     def test_graphs_that_are_drawn_together_are_saved_together(self, tmp_path):
         for pick, name in ((slice(None), "all.svg"), (-1, "one.svg")):
             graphs = sg.draw_analysis(sg.FeedingProblem(RECTANGLE))
@@ -200,6 +221,22 @@ class TestOnAxes:
         ax = sg.draw_step_function(sg.squeeze_function(sg.Part.regular(41)), self.axes())
         assert len(ax.lines) == 1
 
+    def test_many_equal_bars_have_all_their_numbers(self):
+        """Found with 14 bars, which had lost all of them."""
+        state = sg.plan_feeding(sg.Part.regular(7)).distribution(1)
+        ax = sg.draw_distribution(state)
+        assert [text.get_text() for text in ax.texts] == ["0.071"] * 14
+        assert overlaps(ax) == []
+        for bar, text in zip(ax.patches, ax.texts, strict=True):
+            box = text.get_window_extent().transformed(ax.transData.inverted())
+            assert box.x0 - 2 <= bar.get_x() + bar.get_width() / 2 <= box.x1 + 2
+
+    def test_what_has_no_probability_has_no_bar(self):
+        prior = sg.DiscretePrior.from_counts({"10": 1, "100": 3})
+        state = sg.plan_feeding(sg.catalogue_part("4gon"), prior=prior).distribution(1)
+        ax = sg.draw_distribution(state, self.axes())
+        assert len(ax.patches) == len(ax.texts) == 2 < len(state)
+
     def test_extrema_of_the_diameter(self):
         ax = sg.draw_diameter(RECTANGLE, self.axes())
         _, minima, maxima = ax.lines
@@ -217,6 +254,16 @@ class TestOnAxes:
         first = sg.draw_phase_one(transfer, 1, self.axes())
         assert first.lines[-1].get_ydata().tolist() == [180]
 
+    @pytest.mark.parametrize("steps", [1, 2])
+    def test_the_width_of_a_narrow_arc_stands_beside_its_bar(self, steps):
+        long = sg.FAMILIES["long plans"].generate(15, 1)
+        ax = sg.draw_phase_one(sg.squeeze_function(long), steps, self.axes())
+        (text,), bar = ax.texts, ax.patches[0]
+        ax.get_figure().draw_without_rendering()
+        box = text.get_window_extent().transformed(ax.transData.inverted())
+        left, right = bar.get_x(), bar.get_x() + bar.get_width()
+        assert box.x0 >= right or box.x1 <= left or left <= box.x0 <= box.x1 <= right
+
     def test_a_grasp_says_what_holds(self):
         ax = sg.draw_grasp(RECTANGLE, 0, self.axes())
         assert ax.texts[-1].get_text() == "0.00°: stable"
@@ -231,6 +278,22 @@ class TestOnAxes:
         ax = draw_scene(Scene([Label((0, 0), "$\\frac{$", 1.0)]), self.axes())
         ax.get_figure().draw_without_rendering()
         assert ax.texts[0].get_text() == "$\\frac{$"
+
+    def test_letters_too_small_to_read_are_warned_of(self):
+        """Found in a grid of four by four axes, where letters had three pixels."""
+        from matplotlib.figure import Figure
+
+        plan = sg.plan_feeding(sg.catalogue_part("4gon"))
+        small = Figure(figsize=(6.4, 4.8)).subplots(4, 4)[0, 0]
+        with pytest.warns(UserWarning, match=r"letters of 0\.\d points .* inches") as caught:
+            sg.draw_trace(plan, small)
+        assert caught[0].filename == __file__
+        width, height = map(
+            float, re.findall(r"about ([\d.]+) by ([\d.]+)", str(caught[0].message))[0]
+        )
+        large = Figure(figsize=(width, height)).add_axes((0, 0, 1, 1))
+        sg.draw_trace(plan, large)
+        assert min(text.get_fontsize() for text in large.texts) == pytest.approx(6, abs=0.1)
 
     def test_letters_fit_smaller_axes(self):
         large = sg.draw_grasp(RECTANGLE, 0, self.axes(8, 8)).texts[0].get_fontsize()
@@ -263,6 +326,30 @@ class TestOnAxes:
     )
     def test_figures_g_1_to_g_4(self, parameters, printed):
         assert printed in sg.draw_beta_density(*parameters, self.axes()).get_title()
+
+    @pytest.mark.parametrize(
+        "parameters", [("1/3", "1000"), (2000, 3), ("1/100", "10000"), (9, 99)]
+    )
+    def test_a_narrow_density_is_seen(self, parameters):
+        """Found with (1/3, 1000), whose axis had ended at 9e-21."""
+        ax = sg.draw_beta_density(*parameters)
+        beta, (low, high), (_, top) = sg.BetaDensity(*parameters), ax.get_xlim(), ax.get_ylim()
+        y = ax.lines[0].get_ydata()
+        mean, sd = float(beta.mean), float(beta.variance) ** 0.5
+        assert low <= mean <= high
+        assert high - low > 4 * sd
+        inside = (y <= top) & (y >= 0.02 * top)
+        assert inside.mean() > 0.1  # the curve crosses the picture
+        assert ("part of" in ax.get_xlabel()) == (high - low < 1)
+        assert overlaps(ax) == []
+        assert "variance 0.000," not in ax.get_title()
+
+    def test_long_parameters_fit_the_title(self):
+        ax = sg.draw_beta_density("123456789/987654321", "7000001/1234577")
+        ax.get_figure().draw_without_rendering()
+        assert ax.get_title().startswith("α₁ ≈ 0.125000, α₂ ≈ 5.669959")
+        box = ax.title.get_window_extent()
+        assert box.x1 - box.x0 < ax.get_figure().bbox.x1
 
     @pytest.mark.parametrize("parameters", [(1, 1), (16, 16), (4, 1), ("2.5", 3)])
     def test_the_density_has_the_exact_moments(self, parameters):

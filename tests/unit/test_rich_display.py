@@ -41,6 +41,10 @@ SHOWN = {
     "Preimages": lambda: sg.FeedingProblem(RECTANGLE).preimages,
     "PushStability": lambda: sg.PushStability(RECTANGLE),
     "RadiusFunction": lambda: sg.RadiusFunction(RECTANGLE),
+    "RecognitionProblem": lambda: sg.RecognitionProblem(
+        {"rectangle": RECTANGLE, "square": [(0, 0), (2, 0), (2, 2), (0, 2)]}
+    ),
+    "SensingProblem": lambda: sg.SensingProblem(RECTANGLE, bits=1, noise="0.1"),
     "SensorPlan": lambda: sg.iterative_sensor_plan(COIN, sg.Sensor.perfect(COIN.states), 2),
     "SqueezeStability": lambda: sg.SqueezeStability(RECTANGLE, "1/4"),
     "StepFunction": lambda: sg.squeeze_function(RECTANGLE),
@@ -80,6 +84,41 @@ def test_what_is_shown_is_short_and_whole(name):
         assert forms["latex"].startswith("$\\displaystyle ")
 
 
+@pytest.mark.parametrize("name", SHOWN)
+def test_what_is_shown_has_a_short_repr_too(name):
+    text = repr(SHOWN[name]())
+    assert " object at 0x" not in text
+    assert name in text
+
+
+def test_problems_name_themselves():
+    problem = sg.FeedingProblem(RECTANGLE, gripper_error="2", goal="90")
+    assert repr(problem) == (
+        "<FeedingProblem for rectangle: squeeze, uniform prior, gripper error 2.0000°, goal 90>"
+    )
+    chain = sg.FeedingProblem(RECTANGLE).preimages
+    assert repr(chain) == "<Preimages under 2 steps in 180.0000°: 0 known>"
+    assert len(list(chain)) == 2
+    assert repr(chain) == "<Preimages under 2 steps in 180.0000°: 2 known, all>"
+    sensing = SHOWN["SensingProblem"]()
+    assert repr(sensing) == (
+        "<SensingProblem for rectangle: 4 orientations, 4 squeezes, a sensor of 2 readings>"
+    )
+    assert repr(SHOWN["RecognitionProblem"]()).startswith("<RecognitionProblem: 2 parts, ")
+
+
+def test_a_sensing_problem_tells_what_is_read_in_each_orientation():
+    page = SHOWN["SensingProblem"]()._repr_html_()
+    rows = re.findall(r"<td>(.*?)</td><td>(.*?)</td><td>(.*?)</td>", page)
+    assert [row[:2] for row in rows] == [
+        ("0.0000°", "0.3128"), ("90.0000°", "0.1872"), ("180.0000°", "0.3128"),
+        ("270.0000°", "0.1872"),
+    ]  # fmt: skip
+    assert [row[2] for row in rows[:2]] == ["below 2.5 (1.0000)", "from 2.5 (1.0000)"]
+    page = SHOWN["RecognitionProblem"]()._repr_html_()
+    assert "<td>square</td><td>90.0000°</td><td>0.1250</td><td>2 (1.0000)</td>" in page
+
+
 def test_the_same_value_is_shown_alike():
     assert RECTANGLE._repr_svg_() == sg.Part(RECTANGLE.vertices, name="rectangle")._repr_svg_()
 
@@ -107,6 +146,11 @@ def test_a_first_action_under_a_prior_has_an_angle():
     assert "<td>1</td><td>any</td>" not in plan._repr_html_()
 
 
+def test_a_plan_tells_how_many_of_the_steps_are_traced():
+    page = sg.plan_feeding(sg.catalogue_part("key"))._repr_html_()
+    assert "(in 4 of 8 steps)" in page
+
+
 def test_a_long_plan_shows_its_funnel_and_a_cut_table():
     plan = sg.orient_up_to_symmetry(LONG)
     page = plan._repr_html_()
@@ -117,6 +161,8 @@ def test_a_long_plan_shows_its_funnel_and_a_cut_table():
 
 def test_a_plan_of_a_transfer_function_shows_its_funnel():
     page = sg.plan_transfer(sg.squeeze_function(RECTANGLE))._repr_html_()
+    assert "2 actions" in page
+    assert "action action" not in page
     assert "sg-funnel" in page
     assert "sg-part" not in page
 

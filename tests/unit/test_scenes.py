@@ -6,22 +6,29 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from gmpy2 import mpq
 
 from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.decision.mixture_prior import MixturePrior
+from stochgeom.decision.piecewise_prior import PiecewisePrior
+from stochgeom.decision.priors import uniform_prior
 from stochgeom.errors import InputError, PriorError
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.planner import orient_up_to_symmetry, plan_feeding, plan_transfer
 from stochgeom.feeding.preimages import preimages
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.grasping.squeeze_stability import SqueezeStability
+from stochgeom.plotting import report_pictures
 from stochgeom.plotting.block_scenes import scooped_blocks_scene, sensed_blocks_scene
 from stochgeom.plotting.curves import bars_of, steps_of, turns_for, wave_of
-from stochgeom.plotting.distributions import distribution_scene, fitted, spread
-from stochgeom.plotting.function_scenes import analysis_scene, step_scene
+from stochgeom.plotting.distributions import distribution_scene, fitted
+from stochgeom.plotting.function_scenes import analysis_scene, step_scene, wave_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene, funnels_of
 from stochgeom.plotting.graph import degree_ticks, round_ticks, value_ticks
 from stochgeom.plotting.grasp_scenes import (
@@ -38,6 +45,7 @@ from stochgeom.plotting.gripper_scenes import (
     wedged_or_stable_scene,
 )
 from stochgeom.plotting.part_scenes import part_scene
+from stochgeom.plotting.sample_orientations import sample_orientations
 from stochgeom.plotting.scene import Disc, Label, Line, Polygon, Scene, box_of, moved, rectangle
 from stochgeom.plotting.silhouettes import silhouette
 from stochgeom.plotting.styles import STYLES
@@ -50,7 +58,19 @@ from stochgeom.transfer.step_function import StepFunction
 from tests.scene_checks import SVG, overlapping_labels, parsed
 
 RECTANGLE = Part([(0, 0), (3, 0), (3, 2), (0, 2)])
+BRACKET = Part([(0, 0), ("7/2", 0), ("7/2", "3/4"), ("5/6", "3/4"), ("5/6", "13/3"), (0, "13/3")])
 SLIVER = Part([(0, 0), (1000, 0), (1000, 1), (500, 2), (0, 1)])
+
+
+def _corner(k: int) -> tuple[int, int]:
+    a = 2 * np.pi * k / 30 + 0.1
+    return round(1000 * np.cos(a) * (1 + 0.05 * np.sin(3 * a))), round(1000 * np.sin(a))
+
+
+NUMBERS = {"<.01", "1.00", *(f".{k:02}" for k in range(1, 100))}
+
+GON = Part([_corner(k) for k in range(30)])
+"""Nearly round: its orientations lie close together, its diameter hardly varies."""
 
 
 def degrees(text: str) -> Angle:
@@ -164,6 +184,25 @@ class TestCurves:
         assert len(wave.maxima) == 5
         assert wave.at_minima[0] == pytest.approx(1.4)
 
+    def test_a_function_that_hardly_varies_is_enlarged_and_says_so(self):
+        """Found with 30 corners, whose diameter had been a flat line without marks."""
+        scene = wave_scene(DiameterFunction(GON), height=150.0)
+        (curve,) = scene.of_style("curve")
+        heights = [y for _, y in curve.points]
+        assert max(heights) - min(heights) > 75
+        assert "axis not from 0; 56 minima, not marked" in scene.labels()
+        assert overlapping_labels(scene) == []
+        bounds = scene.of_style("frame")[-1].points
+        assert bounds[0][1] < min(heights) < max(heights) < bounds[2][1]
+        ends = step_scene(squeeze_function(GON)).labels()
+        assert "57 steps, ends not marked" in ends
+
+    def test_other_functions_begin_at_0_and_need_no_remark(self):
+        for part in (RECTANGLE, catalogue_part("key")):
+            wave = wave_of(DiameterFunction(part))
+            assert wave.limits[0] == 0
+            assert wave.remark == ""
+
     def test_bars_are_in_degrees_and_carry_exact_widths(self):
         bars = bars_of(preimages(squeeze_function(RECTANGLE)))
         assert [bar.width_text for bar in bars] == ["112.62", "180.00"]
@@ -254,6 +293,57 @@ class TestTraces:
         assert len(found) == 8
         steps = {plan.transfer.step_at(theta) for theta in found}
         assert len(steps) == 8
+
+    def test_only_what_arrives_is_traced(self):
+        """Found with two orientations, of which six had been drawn."""
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        plan = plan_feeding(BRACKET, prior=prior)
+        assert typical_orientations(plan) == (degrees("0"), degrees("90"))
+        scene = trace_scene(plan)
+        assert len(scene.of_style("part")) == 2 * (1 + plan.steps)
+        assert "(all that arrive)" in scene.labels()
+        assert "<.01" not in scene.labels()
+
+    def test_a_normal_prior_is_traced_about_its_mean(self):
+        plan = plan_feeding(catalogue_part("house"), prior=WrappedNormal("30", "12"))
+        found = [float(theta.degrees(1)) for theta in typical_orientations(plan)]
+        # The middles of fifths: 10, 30, 50, 70 and 90 percent.
+        assert found == pytest.approx([30 + 12 * z for z in (-1.28, -0.52, 0, 0.52, 1.28)], abs=3)
+
+    def test_many_points_are_traced_by_equal_shares(self):
+        prior = DiscretePrior.from_counts({f"{k}": 1 + 99 * (k == 50) for k in range(40, 60)})
+        plan = plan_feeding(BRACKET, prior=prior)
+        found = sample_orientations(plan, 4)
+        assert degrees("50") in found.orientations
+        assert set(found.orientations) <= set(prior.orientations)
+        assert found.words == "4 of 20 that arrive"
+
+    @pytest.mark.parametrize("narrow", [False, True])
+    def test_orientations_lie_where_the_prior_has_a_density(self, narrow):
+        arc = Arc(degrees("10"), degrees("1/8" if narrow else "100"))
+        pieces = PiecewisePrior.from_masses(
+            [(arc, "3/4"), (Arc(degrees("200"), degrees("9")), "1/4")]
+        )
+        mixed = MixturePrior([("1/2", pieces), ("1/2", DiscretePrior({"123.4": 1}))])
+        for prior in (pieces, mixed):
+            for theta in typical_orientations(plan_feeding(BRACKET, prior=prior)):
+                assert pieces.density_at(theta) or prior.mass_at(theta)
+
+    def test_a_uniform_prior_is_none(self):
+        plan = plan_feeding(RECTANGLE, prior=uniform_prior())
+        assert len(typical_orientations(plan)) == 4
+
+    def test_a_stub_tells_the_lower_jaw_at_every_angle_of_the_gripper(self):
+        scene = trace_scene(plan_feeding(BRACKET), [degrees("0")], distribution=False)
+        jaws = [jaw.points for jaw in scene.of_style("jaw")]
+        assert [len(points) for points in jaws] == [8, 4] * 3
+        last_lower, last_upper = (np.mean(points, axis=0) for points in jaws[-2:])
+        assert last_lower[1] > last_upper[1]  # the gripper stands at 180 degrees there
+
+    def test_what_the_angles_are_relative_to(self):
+        labels = trace_scene(plan_feeding(BRACKET)).labels()
+        assert {"(one in each step)", "relative to the gripper"} <= set(labels)
+        assert "(in 4 of 6 steps)" in trace_scene(plan_feeding(BRACKET), most=4).labels()
 
     def test_few_of_many_steps(self):
         plan = plan_feeding(Part.regular(30))
@@ -378,9 +468,25 @@ class TestGrasps:
         assert "2 final orientations: the error is not cancelled" in scene.labels()
         assert len(scene.of_style("part")) == 2
 
-    def test_most_outcomes_are_drawn(self):
-        scene = error_scene(catalogue_part("key"), degrees("50"), "170")
-        assert len(scene.of_style("part")) == 4
+    def test_all_outcomes_are_drawn(self):
+        scene = error_scene(GON, degrees("20"), "15")
+        assert "6 final orientations: the error is not cancelled" in scene.labels()
+        assert len(scene.of_style("part")) == 6
+
+    def test_of_many_outcomes_the_first_the_last_and_some_between_are_drawn(self):
+        finals = reached_from(GON, degrees("20"), degrees("100"))
+        scene = error_scene(GON, degrees("20"), "100")
+        words = f"{len(finals)} final orientations, 12 of them drawn: the error is not cancelled"
+        assert words in scene.labels()
+        assert len(scene.of_style("part")) == 12 < len(finals)
+        assert {f"{a.degrees(2)}°".replace("-", "−") for a in (finals[0], finals[-1])} <= set(
+            scene.labels()
+        )
+        assert overlapping_labels(scene) == []
+
+    def test_an_outcome_at_both_ends_of_the_range_counts_once(self):
+        finals = reached_from(RECTANGLE, degrees("20"), degrees("170"))
+        assert len(finals) == len({theta.reduced() for theta in finals}) == 4
 
 
 class TestGrippers:
@@ -404,7 +510,32 @@ class TestGrippers:
 
     def test_with_and_without(self):
         labels = wedged_or_stable_scene(Part.regular(6), degrees("20")).labels()
-        assert labels == ["friction: wedged at 20.00°", "sliding jaw: stable at 0.00°"]
+        assert labels == [
+            "friction: wedged at 20.00° if μ > 0.1764",
+            "sliding jaw: stable at 0.00°",
+        ]
+
+    @pytest.mark.parametrize("theta", ["20", "45", "-33", "100", "200.5"])
+    @pytest.mark.parametrize("part", [RECTANGLE, BRACKET, Part([(0, 0), (1000, 1), (3, 4)])])
+    def test_the_friction_that_a_wedge_takes(self, part, theta):
+        """With a little more than said the grasp diagram wedges the part there, with less not."""
+        (caption, _), place = wedged_or_stable_scene(part, degrees(theta)).labels(), degrees(theta)
+        mu = mpq(caption.split("μ > ")[1])
+        assert place in SqueezeStability(part, mu + mpq(1, 10**6)).wedged
+        assert mu < mpq(2, 10**4) or place not in SqueezeStability(part, mu - mpq(2, 10**4)).wedged
+
+    def test_what_needs_no_friction_or_any(self):
+        assert wedged_or_stable_scene(RECTANGLE, Angle()).labels()[0] == "friction: stable at 0.00°"
+        square = Part([(0, 0), (1, 0), (1, 1), (0, 1)])
+        caption = wedged_or_stable_scene(square, degrees("45")).labels()[0]
+        assert caption == "friction: wedged at 45.00° by any friction"
+
+    def test_the_friction_that_holds_a_flush_edge(self):
+        slipping = Part([(0, 0), (1, 0), (4, 3), (1, 2)])
+        caption = wedged_or_stable_scene(slipping, Angle()).labels()[0]
+        assert caption == "friction: flush, not stable at 0.00°, held if μ > 1.0000"
+        edges = [SqueezeStability(slipping, mu).stable for mu in ("1", "1001/1000")]
+        assert [ZERO in {edge.orientation for edge in found} for found in edges] == [False, True]
 
 
 class TestBlocks:
@@ -416,6 +547,12 @@ class TestBlocks:
         scene = scooped_blocks_scene([1, 2, 3, 4], [0, 1, 3, 3])
         assert scene.labels()[-4:] == ["1/10", "1/5", "0", "7/10"]
         assert len(scene.of_style("ghost")) == 4 + 3  # no block where none can be
+
+    def test_fractions_and_decimals_are_not_mixed(self):
+        labels = scooped_blocks_scene([7, 13, 1, 480], [0, 1, 1, 3]).labels()
+        assert labels[-4:] == ["0.014", "0.028", "0.000", "0.958"]
+        assert {"0.026", "0.002"} <= set(labels)
+        assert not any("/" in text for text in labels)
 
     def test_nothing_moves(self):
         assert not scooped_blocks_scene([1, 1], [0, 1]).of_style("jaw")
@@ -509,10 +646,59 @@ class TestLabels:
             covered = [b for b in bars if b[0][0] < right - reach and b[1][0] > left + reach]
             assert all(bottom >= bar[2][1] - 0.1 * label.size for bar in covered)
 
-    def test_spreading(self):
-        placed = spread([0, 0, 0, 5], [1, 1, 1, 1], -10, 10)
-        assert placed == [-1, 0, 1, 5]
-        assert spread([9, 9], [2, 2], 0, 10) == [7, 9]
+    @pytest.mark.parametrize("part", [GON, catalogue_part("key"), catalogue_part("4gon")])
+    def test_a_probability_stands_over_its_own_bar(self, part):
+        """Found with 30 corners, where numbers had drifted by 70 degrees from their bars."""
+        plan = orient_up_to_symmetry(part)
+        seen = 0
+        for step in range(1, plan.steps + 1):
+            state = plan.distribution(step)
+            scene = distribution_scene(state)
+            rows = list(zip(scene.of_style("bar"), state.probabilities(2), strict=True))
+            for label in (s for s in scene.shapes if isinstance(s, Label) and s.text in NUMBERS):
+                seen += 1
+                (left, _), (right, _) = box_of(label)
+                slack = 0.25 * label.size
+                texts = {
+                    text.removeprefix("0").replace(".00", "<.01") if text[0] == "0" else text
+                    for bar, text in rows
+                    if left - slack <= (bar.points[0][0] + bar.points[1][0]) / 2 <= right + slack
+                }
+                assert label.text in texts
+        assert seen > plan.steps
+
+    def test_the_rows_of_a_report_are_legible(self):
+        """Found with 30 corners, where bars hid numbers and numbers touched."""
+        plan = orient_up_to_symmetry(GON)
+        rows = [(step, plan.distribution(step)) for step in range(1, plan.steps + 1)]
+        scene = report_pictures.distribution_scene(rows, plan.final_orientation)
+        assert overlapping_labels(scene) == []
+        shown = [s for s in scene.shapes if isinstance(s, Label) and s.text.startswith("0.")]
+        bars = [bar.points for style in ("bar", "image") for bar in scene.of_style(style)]
+        assert len(shown) > 40
+        for label in shown:
+            (left, bottom), (right, top) = box_of(label)
+            reach = 0.2 * label.size  # the box is wider than the letters
+            hidden = [b for b in bars if b[0][0] < right - reach and b[1][0] > left + reach]
+            assert all(bottom > b[2][1] - 0.1 * label.size or top < b[0][1] for b in hidden)
+
+    def test_bars_do_not_cover_each_other(self):
+        """Found with 30 corners, of which two orientations are a third of a degree apart."""
+        state = orient_up_to_symmetry(GON).distribution(1)
+        spans = [
+            (bar.points[0][0], bar.points[1][0])
+            for bar in distribution_scene(state).of_style("bar")
+        ]
+        assert all(one[1] <= other[0] + 0.001 for one, other in pairwise(spans))
+
+    def test_what_has_no_probability_is_not_drawn(self):
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        state = plan_feeding(BRACKET, prior=prior).distribution(1)
+        assert [mass.rational for mass in state.masses].count(0) > 0
+        scene = distribution_scene(state)
+        assert len(scene.of_style("bar")) == 2
+        assert {".62", ".38"} <= set(scene.labels())
+        assert "<.01" not in scene.labels()
 
     def test_long_text_shrinks_and_then_ends(self):
         text, size = fitted("a description that never ends", 1.0, 6.0)
