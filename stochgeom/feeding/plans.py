@@ -337,7 +337,8 @@ class FeedingPlan(Displayed):
         ------
         InputError
             If the action is neither a squeeze nor a push-grasp of a part, or the plan is not for a
-            uniform prior, any final orientation and an exact gripper.
+            uniform prior, or a goal or gripper error makes it another one; see
+            `stochgeom.feeding.certificates.certificate`.
         """
         return certificate(self)
 

@@ -15,6 +15,7 @@ from decimal import Decimal
 from typing import TYPE_CHECKING, Final
 
 from stochgeom.plotting.animation_motion import OPEN, Hold, KeyFrame, Trace
+from stochgeom.plotting.arrivals import arriving_orientations
 from stochgeom.plotting.silhouettes import FloatArray
 from stochgeom.plotting.svg import number, text_of
 from stochgeom.plotting.trace_scenes import typical_orientations
@@ -38,10 +39,17 @@ _GLIDE: Final = 2.4
 
 
 def traces(plan: FeedingPlan) -> tuple[Trace, ...]:
-    """Return the parts on the stage, one for each step of the first action or for some of them."""
+    """Return the parts on the stage: one for each step of the first action, or for some of them.
+
+    Under a prior such as arrive.
+    """
     assert plan.part is not None
     hold = Hold(plan.part)
-    return tuple(Trace(plan, hold, start) for start in typical_orientations(plan, MOST_PARTS))
+    if plan.prior is None:
+        starts = typical_orientations(plan, MOST_PARTS)
+    else:
+        starts = arriving_orientations(plan.prior, MOST_PARTS)
+    return tuple(Trace(plan, hold, start) for start in starts)
 
 
 def shown_actions(plan: FeedingPlan) -> int:

@@ -10,6 +10,7 @@ from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.plotting.arrivals import arriving_orientations
 from stochgeom.plotting.function_scenes import analysis_scene
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.scene import shown_degrees
@@ -36,7 +37,7 @@ def plan_html(plan: FeedingPlan) -> str:
     rows = []
     for k, action in enumerate(plan.actions[:MOST_ROWS], 1):
         if action.low is None:
-            free = "any" if plan.prior is None else shown_degrees(action.angle.degrees())
+            free = "any" if plan.prior is None else shown_degrees(plan.mouth_decimals()[0])
             rows.append([str(k), free, "", ""])
         else:
             rows.append([str(k), *map(shown_degrees, action.decimals())])
@@ -48,7 +49,13 @@ def plan_html(plan: FeedingPlan) -> str:
 
 def _plan_picture(plan: FeedingPlan, title: str) -> str:
     if plan.part is not None and plan.steps <= _MOST_TRACED:
-        scene = trace_scene(plan, typical_orientations(plan, _COLUMNS))
+        prior = plan.prior
+        starts = (
+            typical_orientations(plan, _COLUMNS)
+            if prior is None
+            else arriving_orientations(prior, _COLUMNS)
+        )
+        scene = trace_scene(plan, starts)
         return svg_document(scene, title=title, scale=20.0) + "\n"
     if plan.steps <= MOST_ROWS:
         return svg_document(funnel_scene(plan), title=title, scale=1.0) + "\n"

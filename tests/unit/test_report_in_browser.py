@@ -14,6 +14,7 @@ import pytest
 import stochgeom as sg
 from benchmarks.outlines import near_circle
 from stochgeom.plotting.animation_stage import MOST_ACTIONS, MOST_PARTS
+from stochgeom.plotting.arrivals import arriving_orientations
 from stochgeom.plotting.report import report_html
 from stochgeom.plotting.trace_scenes import typical_orientations
 from tests.browser import Browser, find_browser
@@ -117,7 +118,9 @@ def off(measured: float, angle: sg.Angle) -> float:
 
 
 def starts_of(plan: sg.FeedingPlan) -> tuple[sg.Angle, ...]:
-    return typical_orientations(plan, MOST_PARTS)
+    if plan.prior is None:
+        return typical_orientations(plan, MOST_PARTS)
+    return arriving_orientations(plan.prior, MOST_PARTS)
 
 
 def states_by_hand(plan: sg.FeedingPlan, start: sg.Angle) -> Iterator[tuple[sg.Angle, sg.Angle]]:
@@ -227,6 +230,19 @@ def test_what_is_said_goes_with_the_moment(page):
 def test_the_page_does_not_scroll_sideways(page, name, width):
     found = page(PLANS[name](), width)
     assert found.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_captions_are_read_on_a_phone_and_what_scrolls_says_so(page):
+    found = page(PLANS["many steps"](), 390)
+    ends = found.evaluate(
+        "[...document.querySelectorAll('section > .wide caption span')].filter("
+        "s => s.checkVisibility()).map(s => s.getBoundingClientRect().right)"
+    )
+    assert len(ends) > 2
+    assert max(ends) <= 390
+    # Covers that scroll with the content, over shadows at the edges that do not.
+    style = "getComputedStyle(document.querySelector('.wide')).backgroundAttachment"
+    assert found.evaluate(style) == "local, local, scroll, scroll"
 
 
 def test_nothing_moves_for_who_asked_for_that(page):
