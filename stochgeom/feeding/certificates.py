@@ -113,11 +113,15 @@ def certificate(plan: CertifiablePlan) -> Json:
             f"certificates need a part and the action {' or '.join(CERTIFIED_ACTIONS)}"
         )
     chain = list(Preimages(transfer))
-    if plan.prior is not None or _steps(plan.preimages) != _steps(chain[: plan.steps]):
+    if plan.prior is not None:
         raise InputError(
-            "this plan is another one than that for a uniform prior, any final orientation and an "
-            "exact gripper: because of its prior, goal or gripper error; accepted: plans that are "
-            "the same with and without these"
+            "this plan is for a prior; accepted: plans for parts that arrive in any orientation, "
+            "all equally likely"
+        )
+    if _steps(plan.preimages) != _steps(chain[: plan.steps]):
+        raise InputError(
+            "a goal or an inexact gripper makes this another plan than the one for any final "
+            "orientation and an exact gripper; accepted: plans that are the same with and without"
         )
     optimal, costs = _costs(chain, plan)
     return {

@@ -78,7 +78,7 @@ def test_a_plan_that_a_goal_makes_another_has_no_certificate(capsys, tmp_path):
     path = str(tmp_path / "plan.json")
     result = call(capsys, "plan", "house", "--goal", "0", "--certificate", path)
     assert (result.code, result.out) == (2, "")
-    assert "because of its prior, goal or gripper error" in result.err
+    assert "a goal or an inexact gripper makes this another plan" in result.err
 
 
 def test_an_error_that_is_borne_at_a_tie_and_numbers_over_a_field(tmp_path):
