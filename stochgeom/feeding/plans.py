@@ -31,7 +31,7 @@ from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.display import Displayed, render
 from stochgeom.errors import InputError, NoPlanError
-from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.decimals import Rounding
 from stochgeom.feeding.actions import Action
@@ -138,7 +138,8 @@ class FeedingPlan(Displayed):
         """Return the first angle and the ends of the mouth in degrees, to be typed in as printed.
 
         The ends are those of the mouth that the *printed* angle makes, rounded inwards, with more
-        digits than asked for if it would miss measured orientations that the exact one catches.
+        digits than asked for if it would miss measured orientations that the exact one catches. A
+        mouth that runs over 0 degrees begins below.
 
         Examples
         --------
@@ -155,6 +156,8 @@ class FeedingPlan(Displayed):
         while True:
             angle = first.degrees(digits, Rounding.DOWN if points else Rounding.NEAREST)
             moved = mouth.rotate(Angle.from_degrees(angle) - first)
+            if moved.end > FULL_TURN:
+                moved = moved.rotate(-FULL_TURN)
             low = moved.start.degrees(digits, Rounding.UP)
             high = moved.end.degrees(digits, Rounding.DOWN)
             if mpq(low) < mpq(high) and self._catches_points(moved):

@@ -80,7 +80,8 @@ def _add_stems(scene: Scene, state: Hyperstate, base: float, goal: Angle) -> Non
         if labelled:
             y = _free_height(base + height + 0.75 * TEXT, x, written)
             written.append((x, y))
-            scene.add(Label((x, y), state.probability(k).decimal(2), 0.9 * TEXT))
+            text = state.probability(k).decimal(2)
+            scene.add(Label((x, y), "<0.01" if text == "0.00" else text, 0.9 * TEXT))
 
 
 def _free_height(y: float, x: float, written: Sequence[XY]) -> float:

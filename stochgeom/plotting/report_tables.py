@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.decimals import significant
 from stochgeom.exact.scalars import rational_text
 from stochgeom.exact.surds import scalar_text
 from stochgeom.feeding.actions import Action
@@ -63,7 +64,7 @@ def action_table(subject: Subject) -> str:
                 str(k + 1),
                 angle,
                 range_text,
-                "" if width is None else f"{width.degrees(subject.digits)}°",
+                "" if width is None else f"{significant(width.degrees, subject.digits)}°",
                 str(subject.left(k + 1)),
                 outcome.most_likely().decimal(subject.digits),
             ]

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
@@ -60,7 +61,8 @@ def test_a_printed_first_angle_catches_as_much(part, points):
     plan = plan_feeding(part, prior=prior)
     angle, low, high = map(typed, plan.mouth_decimals())
     moved = plan.mouth.rotate(angle - plan.angles[0])
-    assert moved.start <= low < high <= moved.end
+    turn = (low - moved.start) - (low - moved.start).reduced()  # low is just above the start
+    assert moved.start <= low - turn < high - turn <= moved.end
     assert prior.mass(moved) == plan.probability
 
 
@@ -124,3 +126,9 @@ def test_a_mouth_printed_coarsely_still_holds_its_point():
     plan = plan_feeding(part, prior=DiscretePrior({"10": 1}))
     _, low, high = map(typed, plan.mouth_decimals(0))
     assert Arc(low, high - low).contains(typed("10"))
+
+
+def test_a_mouth_that_runs_over_0_begins_below():
+    plan = plan_feeding(catalogue_part("house"), prior=WrappedNormal("30", "12"))
+    assert plan.mouth.start.degrees() == "318.4349"
+    assert plan.mouth_decimals() == ("300.0000", "-41.5650", "101.5650")
