@@ -21,6 +21,7 @@ from stochgeom.feeding.verification import verify_plan
 from stochgeom.geometry.part import Part
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.thesis.parts import catalogue_part
+from stochgeom.transfer.squeeze import squeeze_function
 from tests.commands import call
 from tests.strategies import arcs, circle_points, hulls, small_pushable_parts
 
@@ -132,3 +133,15 @@ def test_a_mouth_that_runs_over_0_begins_below():
     plan = plan_feeding(catalogue_part("house"), prior=WrappedNormal("30", "12"))
     assert plan.mouth.start.degrees() == "318.4349"
     assert plan.mouth_decimals() == ("300.0000", "-41.5650", "101.5650")
+
+
+def test_a_measured_orientation_just_below_the_end_of_the_mouth_is_not_lost():
+    rectangle = [(0, 0), (3, 0), (3, 2), (0, 2)]
+    width = max(squeeze_function(rectangle).widths)
+    first = Angle.from_degrees(10)
+    last = first + width - Angle.from_degrees("0.00001")
+    plan = plan_feeding(rectangle, prior=DiscretePrior([(first, "1/2"), (last, "1/2")]))
+    assert plan.steps == 1
+    angle, low, high = map(typed, plan.mouth_decimals())
+    assert plan.prior.mass(plan.mouth.rotate(angle - plan.angles[0])).rational == 1
+    assert low <= first < last < high

@@ -111,7 +111,7 @@ class TestPrior:
         text = report(capsys, *square)
         assert "  catches what arrives from -25.0000 to 65.0000 degrees\n" in text
         text = report(capsys, *square, "--gripper-error", "20")
-        assert "  catches for sure what arrives from 355.0000 to 405.0000 degrees\n" in text
+        assert "  catches for sure what arrives from -5.0000 to 45.0000 degrees\n" in text
         text = report(capsys, *HOUSE, "--action", "push-grasp", "--prior", "normal:20,90")
         assert "  catches every orientation\n" in text
 
