@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from stochgeom.decision.density_priors import WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.mixture_prior import MixturePrior
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.cells import CellSet
@@ -17,6 +18,7 @@ from stochgeom.exact.intervals import Interval
 from stochgeom.feeding.actions import printed_margin
 from stochgeom.feeding.adversarial import FAMILIES
 from stochgeom.feeding.planner import plan_feeding
+from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.feeding.verification import verify_plan
 from stochgeom.geometry.part import Part
 from stochgeom.grasping.grasp_diagram import GraspDiagram
@@ -145,3 +147,16 @@ def test_a_measured_orientation_just_below_the_end_of_the_mouth_is_not_lost():
     angle, low, high = map(typed, plan.mouth_decimals())
     assert plan.prior.mass(plan.mouth.rotate(angle - plan.angles[0])).rational == 1
     assert low <= first < last < high
+
+
+@pytest.mark.parametrize(("place", "digits"), [("100", 2), ("100", 4), ("-30", 4)])
+def test_a_point_of_a_mixture_at_an_end_of_the_mouth_is_not_lost(place, digits):
+    normal, point = WrappedNormal("30", "12"), DiscretePrior({place: 1})
+    prior = MixturePrior([("1/2", normal), ("1/2", point)])
+    plan = FeedingProblem(L, prior=prior).plan_of(1)
+    angle, low, high = map(typed, plan.mouth_decimals(digits))
+    moved = plan.mouth.rotate(angle - plan.angles[0])
+    assert moved.contains(typed(place))
+    assert prior.mass(moved).decimal() == plan.probability.decimal()
+    assert Arc(moved.start, moved.width).contains(low)
+    assert high - low < moved.width
