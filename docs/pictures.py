@@ -35,20 +35,24 @@ from stochgeom.plotting.trace_scenes import trace_scene
 FOLDER: Final = Path(__file__).resolve().parent / "pictures"
 
 
-def plan_of(name: str) -> FeedingPlan:
-    """Return the shortest plan of a part of the catalogue."""
-    return FeedingProblem(catalogue_part(name)).geometric_plan()
+WEDGE: Final = Part([(0, 0), ("2.5", 0), ("2.5", 1), ("0.3", "1.7")], name="wedge")
+"""The part of the first tutorial."""
 
 
-def trace(name: str, degrees: tuple[int, ...]) -> Scene:
+def plan_of(part: Part) -> FeedingPlan:
+    """Return the shortest plan of a part."""
+    return FeedingProblem(part).geometric_plan()
+
+
+def trace(part: Part, degrees: tuple[int, ...]) -> Scene:
     """Return the part and the gripper after each action, a column for each orientation."""
-    return trace_scene(plan_of(name), [Angle.from_degrees(value) for value in degrees])
+    return trace_scene(plan_of(part), [Angle.from_degrees(value) for value in degrees])
 
 
-def analysis(name: str) -> Scene:
+def analysis(part: Part) -> Scene:
     """Return the diameter function, the squeeze function and the preimages of a part."""
-    problem = FeedingProblem(catalogue_part(name))
-    wave = DiameterFunction(catalogue_part(name))
+    problem = FeedingProblem(part)
+    wave = DiameterFunction(part)
     return analysis_scene(problem.transfer, problem.preimages, wave, name="squeeze function")
 
 
@@ -65,9 +69,19 @@ def coin_tree() -> Scene:
 def pictures() -> dict[str, str]:
     """Return the SVG documents by the names of their files."""
     rectangle = catalogue_part("rectangle")
-    wedge = Part([(0, 0), ("2.5", 0), ("2.5", 1), ("0.3", "1.7")], name="wedge")
+    fourgon = catalogue_part("4gon")
     return {
-        "wedge.svg": svg_document(part_scene(wedge), title="the part of the tutorial", scale=90),
+        "wedge.svg": svg_document(part_scene(WEDGE), title="the part of the tutorial", scale=90),
+        "wedge-analysis.svg": svg_document(
+            analysis(WEDGE),
+            title="diameter function, squeeze function and preimages of the wedge",
+            scale=1,
+        ),
+        "wedge-trace.svg": svg_document(
+            trace(WEDGE, (20, 71, 110, 150)),
+            title="three squeezes orient the wedge up to symmetry",
+            scale=24,
+        ),
         "stable.svg": svg_document(
             grasp_scene(rectangle, Angle.from_degrees(0)), title="a stable grasp", scale=70
         ),
@@ -75,22 +89,22 @@ def pictures() -> dict[str, str]:
             grasp_scene(rectangle, Angle.from_degrees(60)), title="a wedged grasp", scale=70
         ),
         "trace.svg": svg_document(
-            trace("rectangle", (20, 75, 140)),
+            trace(rectangle, (20, 75, 140)),
             title="two squeezes orient a rectangle, whatever its orientation was",
             scale=26,
         ),
         "fourgon-trace.svg": svg_document(
-            trace("4gon", (10, 60, 100, 150)),
+            trace(fourgon, (10, 60, 100, 150)),
             title="four squeezes orient the 4gon up to symmetry",
             scale=24,
         ),
         "analysis.svg": svg_document(
-            analysis("4gon"),
+            analysis(fourgon),
             title="diameter function, squeeze function and preimages of the 4gon",
             scale=1,
         ),
         "funnel.svg": svg_document(
-            funnel_scene(plan_of("4gon")), title="the plan of the 4gon as a funnel", scale=1
+            funnel_scene(plan_of(fourgon)), title="the plan of the 4gon as a funnel", scale=1
         ),
         "coin-tree.svg": svg_document(
             coin_tree(), title="all plans of two moves, to turn or to look at a coin", scale=1

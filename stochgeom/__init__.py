@@ -51,6 +51,7 @@ _NAMES = {
     "exact.angles": "Angle EIGHTH_TURN FULL_TURN HALF_TURN QUARTER_TURN ZERO",
     "exact.arcs": "Arc ClosedArc union_arcs union_measure",
     "exact.cells": "CellSet",
+    "exact.decimals": "Rounding rational_decimal",
     "exact.forms": "sign_of_form",
     "exact.halves": "HalfAngle",
     "exact.independent_sums": "LogSum RootSum",

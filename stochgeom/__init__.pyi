@@ -57,6 +57,8 @@ from stochgeom.exact.arcs import ClosedArc as ClosedArc
 from stochgeom.exact.arcs import union_arcs as union_arcs
 from stochgeom.exact.arcs import union_measure as union_measure
 from stochgeom.exact.cells import CellSet as CellSet
+from stochgeom.exact.decimals import Rounding as Rounding
+from stochgeom.exact.decimals import rational_decimal as rational_decimal
 from stochgeom.exact.forms import sign_of_form as sign_of_form
 from stochgeom.exact.halves import HalfAngle as HalfAngle
 from stochgeom.exact.independent_sums import LogSum as LogSum

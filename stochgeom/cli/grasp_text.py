@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from gmpy2 import mpq
+
 from stochgeom.cli.layout import table
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.cells import CellSet
-from stochgeom.exact.decimals import Rounding
-from stochgeom.exact.intervals import Interval
+from stochgeom.exact.intervals import Interval, inward_decimals
 from stochgeom.exact.scalars import rational_text
 from stochgeom.grasping.contacts import Pair
 from stochgeom.grasping.friction_limits import FrictionLimit
@@ -85,7 +86,7 @@ def _edge(edge: Pair | None) -> str:
 def _wedging(report: GraspReport, digits: int) -> str:
     rows = [
         [
-            f"({wedge.start.degrees(digits)}, {wedge.arc.end.degrees(digits)})",
+            "({}, {})".format(*inward_decimals(wedge.start, wedge.arc.end, digits)),
             f"{wedge.vertices[0]}, {wedge.vertices[1]}",
         ]
         for wedge in report.diagram.wedging
@@ -113,12 +114,10 @@ def _guaranteed(report: GraspReport, digits: int) -> str:
             *_intervals(guaranteed, digits),
         ]
     if report.tolerances:
-        best = report.tolerances[0]
-        margin = best.margin.degrees(digits, Rounding.DOWN)
-        angles = ", ".join(
-            item.grasp_angle.degrees(digits) for item in report.tolerances[: MOST_ROWS // 2]
-        )
-        least = "at most" if best.attained else "less than"
+        shown = [item.decimals(digits) for item in report.tolerances[: MOST_ROWS // 2]]
+        angles = ", ".join(angle for angle, _ in shown)
+        margin = min((margin for _, margin in shown), key=mpq)
+        least = "at most" if report.tolerances[0].attained else "less than"
         lines += [
             f"Largest tolerance: an orientation known to {least} {margin} degrees (rounded down),",
             f"  with the gripper turned by {angles} degrees from the part's input pose",
@@ -150,9 +149,7 @@ def _interval(item: Interval, digits: int) -> str:
     """Return an interval rounded inwards, but for a single orientation."""
     if not item.width:
         return f"{item.start.degrees(digits)} exactly"
-    left, right = "[" if item.includes_start else "(", "]" if item.includes_end else ")"
-    start = item.start.degrees(digits, Rounding.UP)
-    return f"{left}{start}, {item.end.degrees(digits, Rounding.DOWN)}{right}"
+    return item.text(digits)
 
 
 def _bounds(report: GraspReport, digits: int) -> str:

@@ -40,6 +40,12 @@ examples:
 """
 
 
+_ABOUT_CERTIFICATES = """
+Without goal and gripper error the plan is the same, and as such it is certified:
+neither the goal nor the gripper error is part of the certificate.
+Its claims are where the plan ends and which ranges work; stochgeom verify tells what follows."""
+
+
 def add_parser(commands: Any) -> None:
     """Register the command."""
     parser = commands.add_parser(
@@ -109,6 +115,9 @@ def run(arguments: argparse.Namespace) -> int:
         write_json(plan_document(problem, optimal, geometric, digits))
     else:
         write(plan_text(problem, optimal, geometric, digits))
+        asked = problem.goal is not None or problem.gripper_error is not None
+        if arguments.certificate is not None and asked:
+            write(_ABOUT_CERTIFICATES)
     return 0
 
 

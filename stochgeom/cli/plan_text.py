@@ -8,7 +8,7 @@ from stochgeom.cli.layout import count, table
 from stochgeom.cli.printed_ranges import error_text
 from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.exact.angles import FULL_TURN, Angle
-from stochgeom.exact.decimals import Rounding
+from stochgeom.exact.decimals import Rounding, significant
 from stochgeom.exact.scalars import rational_text
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.plans import FeedingPlan
@@ -87,10 +87,19 @@ def _headline(problem: FeedingProblem, digits: int) -> str:
         angles = ", ".join(angle.degrees(digits) for angle in finals)
         line = f"goal: {_goal_words(problem)}, the final orientation at {angles} degrees"
         if part is not None:
-            psi = ", ".join(p.degrees(digits, Rounding.DOWN) for p in stabilities(part, finals))
+            psi = ", ".join(_rounded_down(p, digits) for p in stabilities(part, finals))
             line += f"; it bears a disturbance below {psi} degrees"
         lines.append(line)
     return "\n".join(lines)
+
+
+def _rounded_down(angle: Angle, digits: int) -> str:
+    """Return degrees, rounded down, 0 only if they are."""
+
+    def printed(places: int) -> str:
+        return angle.degrees(places, Rounding.DOWN)
+
+    return significant(printed, digits) if angle else printed(digits)
 
 
 def _goal_words(problem: FeedingProblem) -> str:
@@ -107,8 +116,8 @@ def _plan_block(title: str, plan: FeedingPlan, digits: int) -> str:
         if step in steps:
             rows[step] = [
                 str(step),
-                *_angle_and_range(action, digits, random=plan.prior is None),
-                str(len(outcome)),
+                *_angle_and_range(plan, action, digits),
+                str(outcome.possible),
                 outcome.most_likely().decimal(digits),
             ]
     header = ["step", "rotate gripper by", "works for", "states left", "probability"]
@@ -123,15 +132,17 @@ def _caught(plan: FeedingPlan, digits: int) -> str:
     mouth = plan.mouth
     if mouth.width == FULL_TURN:
         return "  catches every orientation"
-    low, high = mouth.start.degrees(digits, Rounding.UP), mouth.end.degrees(digits, Rounding.DOWN)
+    _, low, high = plan.mouth_decimals(digits)
     sure = " for sure" if plan.gripper_error else ""
     return f"  catches{sure} what arrives from {low} to {high} degrees"
 
 
-def _angle_and_range(action: Action, digits: int, *, random: bool) -> tuple[str, str]:
+def _angle_and_range(plan: FeedingPlan, action: Action, digits: int) -> tuple[str, str]:
     """Return the angle of an action and what it works for, in words."""
     if action.low is None:
-        return ("random", "any angle") if random else (action.angle.degrees(digits), "the prior")
+        if plan.prior is None:
+            return "random", "any angle"
+        return plan.mouth_decimals(digits)[0], "the prior"
     angle, low, high = action.decimals(digits)
     return angle, f"({low}, {high}]"
 

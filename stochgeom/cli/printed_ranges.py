@@ -30,7 +30,7 @@ def error_text(
         elif bound is None:
             lines.append(f"{name} has one turn, and an error of it moves the mouth.")
         else:
-            least, most = printed_margin(plan.actions, digits), bound.degrees(digits)
+            least, most = printed_margin(plan.actions, digits), bound.decimal(digits)
             middles = "" if least == most else f", and {most} at the middles of its ranges"
             line = f"{name} bears every gripper error below {least} degrees{middles}"
             if plan.prior is not None and not plan.gripper_error and plan.mouth.width != FULL_TURN:
@@ -56,5 +56,5 @@ def _largest_error(problem: FeedingProblem, *, complete: bool, digits: int) -> s
     if bound is None:
         return f"One action orients the part {how}, whatever its error."
     lacking = "" if complete else f"No plan orients the part {how} with this error. "
-    most = bound.degrees(digits)
+    most = bound.decimal(digits)
     return f"{lacking}Plans that orient it {how} exist for every error below {most} degrees."

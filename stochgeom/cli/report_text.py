@@ -63,8 +63,8 @@ def _margins(report: PlanReport, digits: int) -> str:
 def _range(margin: Margin, digits: int) -> str:
     if margin.low is None or margin.high is None:
         return "any angle"
-    low = margin.low.degrees(digits, Rounding.UP)
-    return f"({low}, {margin.high.degrees(digits, Rounding.DOWN)}]"
+    _, low, high = margin.decimals(digits)
+    return f"({low}, {high}]"
 
 
 def _arcs(report: PlanReport, digits: int) -> str:

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from stochgeom.cli.certified import scope
 from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
 from stochgeom.errors import FormatError, InputError, ReadError, VerificationError
@@ -33,6 +34,10 @@ It is {path}.
 
 For parts over a field, such as regular polygons, it takes {field_checker} beside it.
 """
+
+_ABOUT_PAGES = """\
+Checked is the certificate inside the page, not what the page shows: text and pictures may have been
+changed beside it. `stochgeom report` draws the page anew, with the same bytes."""
 
 # Options that say nothing about a certificate.
 _OF_ANGLES = (
@@ -138,8 +143,9 @@ def _verify_angles(arguments: argparse.Namespace, digits: int) -> int:
 
 
 def _verify_certificate(path: str, wants_json: bool) -> int:
+    content = _read(path)
     try:
-        document = any_checker.load(_certificate_of(_read(path), path))
+        document = any_checker.load(_certificate_of(content, path))
         any_checker.check(document)
     except checker.NoCertificateError as error:
         raise FormatError(
@@ -157,7 +163,9 @@ def _verify_certificate(path: str, wants_json: bool) -> int:
     if wants_json:
         write_json({"schema": "stochgeom/verdict/1", "valid": True, "claim": None, "message": ""})
     else:
-        write(f"valid: {_summary(document)}")
+        write("\n".join([f"valid: {_summary(document)}", *scope(document)]))
+        if is_page(content):
+            write(_ABOUT_PAGES)
     return 0
 
 

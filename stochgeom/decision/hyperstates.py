@@ -62,7 +62,36 @@ class Hyperstate(Displayed):
             best = k if mass.compare(self.masses[best]) > 0 else best
         return best
 
+    def possible(self) -> Hyperstate:
+        """Return the distribution without the orientations whose probability is known to be 0.
+
+        The widths are those of the orientations that remain; their sum may be less than a turn.
+
+        Examples
+        --------
+        >>> from stochgeom.exact.sums import AngleSum
+        >>> half = Angle.from_degrees(180)
+        >>> state = Hyperstate((Angle(), half), (half, half), (AngleSum(1), AngleSum(0)))
+        >>> len(state), len(state.possible())
+        (2, 1)
+        """
+        if self.masses is None:
+            return self
+        kept = [k for k, mass in enumerate(self.masses) if not _is_zero(mass)]
+        if len(kept) == len(self):
+            return self
+        return Hyperstate(
+            tuple(self.orientations[k] for k in kept),
+            tuple(self.widths[k] for k in kept),
+            tuple(self.masses[k] for k in kept),
+        )
+
     @property
     def total(self) -> Angle:
         """The sum of the widths: a full turn."""
         return sum(self.widths, start=ZERO)
+
+
+def _is_zero(mass: Probability) -> bool:
+    """Tell whether a probability is known to be 0; an enclosed or estimated one is not."""
+    return bool(mass.exact) and mass.rational == 0

@@ -336,6 +336,7 @@ class CellSet(Displayed):
         return f"CellSet({list(self.angles)!r}, {list(self.points)!r}, {list(self.arcs)!r})"
 
     def __str__(self) -> str:
+        """Return the intervals with their ends rounded inwards: what is printed is in the set."""
         return "{" + ", ".join(str(item) for item in self.intervals()) + "}"
 
 

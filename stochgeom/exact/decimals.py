@@ -120,6 +120,35 @@ def _scaled_floor(
     return None if whole is None else mpz(int(whole))
 
 
+def significant(printed: Callable[[int], str], digits: int) -> str:
+    """Return the decimal of a number that is not 0, and shows that it is not.
+
+    Parameters
+    ----------
+    printed : callable
+        Returns the number with so many decimals, in any rounding.
+    digits : int
+        Decimals after the point. If all of them would be 0, as many as three significant digits
+        need.
+
+    Examples
+    --------
+    >>> tiny = mpq(1, 700_000)
+    >>> significant(lambda digits: rational_decimal(tiny, digits, Rounding.DOWN), 4)
+    '0.00000142'
+    >>> significant(lambda digits: rational_decimal(mpq(2, 3), digits), 2)
+    '0.67'
+    """
+    text, places = printed(digits), digits
+    while not text.strip("-0."):
+        places = 2 * places + 2
+        text = printed(places)
+    if places == digits:
+        return text
+    decimals = text.partition(".")[2]
+    return printed(len(decimals) - len(decimals.lstrip("0")) + 3)
+
+
 def check_digits(digits: SupportsIndex) -> int:
     """Return a number of decimals as an int; refuse what is negative, absurd or no whole number."""
     try:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import final
 
+from gmpy2 import mpq
+
 from stochgeom.errors import InvalidArcError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
+from stochgeom.exact.decimals import Rounding
 
 
 @final
@@ -75,6 +78,43 @@ class Interval:
             return None
         return Interval(self.start + margin, width, self.includes_start, self.includes_end)
 
-    def __str__(self) -> str:
+    def decimals(self, digits: int = 4) -> tuple[str, str]:
+        """Return both ends in degrees, rounded inwards.
+
+        What lies between the decimals belongs to the interval; with more digits than asked for if
+        nothing would. A single orientation is rounded to the nearest decimal.
+
+        Examples
+        --------
+        >>> Interval(Angle(0, (3, 2)), Angle(0, (1, 1)), True, True).decimals()
+        ('33.6901', '78.6900')
+        """
+        if not self.width:
+            return self.start.degrees(digits), self.end.degrees(digits)
+        return inward_decimals(self.start, self.end, digits)
+
+    def text(self, digits: int = 4, unit: str = "") -> str:
+        """Return the interval in brackets: ``decimals`` and which of the ends belong to it."""
         left, right = "[" if self.includes_start else "(", "]" if self.includes_end else ")"
-        return f"{left}{self.start}, {self.end}{right}"
+        start, end = self.decimals(digits)
+        return f"{left}{start}{unit}, {end}{unit}{right}"
+
+    def __str__(self) -> str:
+        return self.text(unit="°")
+
+
+def inward_decimals(start: Angle, end: Angle, digits: int = 4) -> tuple[str, str]:
+    """Return two angles in degrees, the first rounded up and the second, which is larger, down.
+
+    With so many digits more that the first decimal is the smaller one.
+
+    Examples
+    --------
+    >>> inward_decimals(Angle(0, (1000, 1)), Angle(0, (999, 1)), 2)
+    ('0.05730', '0.05735')
+    """
+    while True:
+        low, high = start.degrees(digits, Rounding.UP), end.degrees(digits, Rounding.DOWN)
+        if mpq(low) < mpq(high):
+            return low, high
+        digits += 1

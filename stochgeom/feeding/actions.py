@@ -11,7 +11,7 @@ from gmpy2 import mpq
 
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import ZERO, Angle
-from stochgeom.exact.decimals import Rounding, rational_decimal
+from stochgeom.exact.decimals import Rounding, rational_decimal, significant
 from stochgeom.exact.directions import nominal_inside
 
 
@@ -78,7 +78,8 @@ class Action:
             high = self.high.degrees(digits, Rounding.DOWN)
             angle = self.angle.degrees(digits)
             first, typed, last = (Angle.from_turns(mpq(text) / 360) for text in (low, angle, high))
-            if first < typed - self.margin and typed + self.margin <= last:
+            # At the upper end itself the printed plan would bear no error at all.
+            if first < typed - self.margin and typed + self.margin <= last and typed < last:
                 return angle, low, high
             digits += 1
 
@@ -86,7 +87,8 @@ class Action:
 def printed_margin(actions: Iterable[Action], digits: int = 4) -> str | None:
     """Return the least distance of a printed angle from a printed end of its range.
 
-    In degrees, rounded down; None if no action has a range.
+    In degrees, rounded down, with as many digits as show that it is not 0; None if no action has a
+    range.
 
     Examples
     --------
@@ -98,4 +100,9 @@ def printed_margin(actions: Iterable[Action], digits: int = 4) -> str | None:
         if action.low is not None and action.high is not None:
             angle, low, high = map(mpq, action.decimals(digits))
             distances += [angle - low, high - angle]
-    return rational_decimal(min(distances), digits, Rounding.DOWN) if distances else None
+    if not distances:
+        return None
+    least = min(distances)
+    if not least:  # an angle given at the closed end of its range
+        return rational_decimal(least, digits)
+    return significant(lambda d: rational_decimal(least, d, Rounding.DOWN), digits)

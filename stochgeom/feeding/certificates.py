@@ -82,8 +82,11 @@ def certificate(plan: CertifiablePlan) -> Json:
     Parameters
     ----------
     plan : FeedingPlan
-        For a part that arrives in any orientation, all equally likely. What is certified is the
-        plan for an exact gripper and for any final orientation.
+        For a part that arrives in any orientation, all equally likely. A goal or a gripper error
+        may have been asked for, if the plan is the same without: no plan of an exact gripper with
+        any final orientation is better, so none with this goal or error is. Where the plan ends is
+        a claim, and the ranges are, from which the error follows that the plan bears; neither the
+        goal nor the error is written down.
 
     Returns
     -------
@@ -110,10 +113,15 @@ def certificate(plan: CertifiablePlan) -> Json:
             f"certificates need a part and the action {' or '.join(CERTIFIED_ACTIONS)}"
         )
     chain = list(Preimages(transfer))
-    if plan.prior is not None or _steps(plan.preimages) != _steps(chain[: plan.steps]):
+    if plan.prior is not None:
         raise InputError(
-            "this plan is for a prior, a goal or an inexact gripper; accepted: plans for a uniform "
-            "prior, any final orientation and an exact gripper"
+            "this plan is for a prior; accepted: plans for parts that arrive in any orientation, "
+            "all equally likely"
+        )
+    if _steps(plan.preimages) != _steps(chain[: plan.steps]):
+        raise InputError(
+            "a goal or an inexact gripper makes this another plan than the one for any final "
+            "orientation and an exact gripper; accepted: plans that are the same with and without"
         )
     optimal, costs = _costs(chain, plan)
     return {

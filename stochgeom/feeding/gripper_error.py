@@ -27,7 +27,12 @@ from gmpy2 import mpq
 from stochgeom.errors import GripperErrorError, InputError, NumberError
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.exact.balls import Ball
-from stochgeom.exact.decimals import Rounding, certified_decimal, rational_decimal
+from stochgeom.exact.decimals import (
+    Rounding,
+    certified_decimal,
+    rational_decimal,
+    significant,
+)
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.exact.scalars import RationalLike
 from stochgeom.feeding.preimages import Preimage, Preimages
@@ -72,6 +77,16 @@ class ErrorBound:
             return rational_decimal(exact * _DEGREES, digits, rounding)
         return certified_decimal(self._ball, digits, rounding)
 
+    def decimal(self, digits: int = 4) -> str:
+        """Return the bound in degrees, rounded down, with more digits than asked for before 0.
+
+        Examples
+        --------
+        >>> ErrorBound(Angle(0, (10**7, 1))).decimal(), ErrorBound(Angle(0, (10**7, 1))).degrees()
+        ('0.00000286', '0.0000')
+        """
+        return significant(self.degrees, digits) if self.slack else self.degrees(digits)
+
     def _ball(self) -> Ball:
         return self.slack.ball() * int(_DEGREES)
 
@@ -79,7 +94,7 @@ class ErrorBound:
         return self.slack < other.slack
 
     def __str__(self) -> str:
-        return f"{self.degrees()}°"
+        return f"{self.decimal()}°"
 
 
 def as_gripper_error(value: GripperError) -> Angle:

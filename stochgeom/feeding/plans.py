@@ -32,8 +32,9 @@ from stochgeom.decision.costs import Number, expected_cost
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.display import Displayed, render
 from stochgeom.errors import InputError, NoPlanError
-from stochgeom.exact.angles import ZERO, Angle
+from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
+from stochgeom.exact.decimals import Rounding
 from stochgeom.feeding.actions import Action
 from stochgeom.feeding.certificates import certificate
 from stochgeom.feeding.execution import check_plan, run_angle, run_arc
@@ -135,6 +136,49 @@ class FeedingPlan(Displayed):
         Under a uniform prior they start in [0, T); under another one where they catch most.
         """
         return self.placement.mouth
+
+    def mouth_decimals(self, digits: int = 4) -> tuple[str, str, str]:
+        """Return the first angle and the ends of the mouth in degrees, to be typed in as printed.
+
+        The ends are those of the mouth that the *printed* angle makes, rounded inwards, with more
+        digits than asked for if it would miss measured orientations that the exact one catches. A
+        mouth that runs over 0 degrees begins below.
+
+        Examples
+        --------
+        >>> from stochgeom.decision.discrete_prior import DiscretePrior
+        >>> from stochgeom.feeding.planner import plan_feeding
+        >>> prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        >>> plan = plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)], prior=prior)
+        >>> plan.mouth_decimals()
+        ('-123.6901', '0.0000', '112.6198')
+        """
+        first, mouth = self.placement.first_angle, self.mouth
+        # A mouth that begins at a point of the prior holds it if it is moved down, not up.
+        points = self.prior is not None and self.prior.mass_at(mouth.start) > 0
+        while True:
+            angle = first.degrees(digits, Rounding.DOWN if points else Rounding.NEAREST)
+            moved = mouth.rotate(Angle.from_degrees(angle) - first)
+            if moved.end > FULL_TURN:
+                moved = moved.rotate(-FULL_TURN)
+            low = moved.start.degrees(digits, Rounding.UP)
+            high = moved.end.degrees(digits, Rounding.DOWN)
+            if mpq(low) < mpq(high) and self._catches_points(moved):
+                return angle, low, high
+            digits += 1
+
+    def _catches_points(self, mouth: Arc) -> bool:
+        """Tell whether a mouth that has moved a little lost no point of the prior.
+
+        Of points only, none at all; of other priors, which always lose something, none that
+        four decimals of the probability show.
+        """
+        if self.prior is None:
+            return True
+        mass = self.prior.mass(mouth)
+        if self.prior.kind == "discrete":
+            return mass.compare(self.probability) >= 0
+        return bool(mpq(mass.decimal()) + mpq(1, 10_000) >= mpq(self.probability.decimal()))
 
     @property
     def final_orientation(self) -> Angle:
@@ -306,7 +350,8 @@ class FeedingPlan(Displayed):
         ------
         InputError
             If the action is neither a squeeze nor a push-grasp of a part, or the plan is not for a
-            uniform prior, any final orientation and an exact gripper.
+            uniform prior, or a goal or gripper error makes it another one; see
+            `stochgeom.feeding.certificates.certificate`.
         """
         return certificate(self)
 

@@ -61,6 +61,11 @@ class Outcome:
         return len(self.states) * self.transfer.order
 
     @property
+    def possible(self) -> int:
+        """The number of states in a full turn whose probability is not known to be 0."""
+        return len(self) if self.prior is None else len(self.hyperstate().possible())
+
+    @property
     def ends(self) -> Indices:
         """For each state the number of the break where its initial orientations end."""
         return np.append(self.starts[1:], self.starts[0] + len(self.transfer))

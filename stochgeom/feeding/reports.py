@@ -39,8 +39,10 @@ import numpy as np
 from gmpy2 import mpq
 
 from stochgeom.decision.hyperstates import Hyperstate
+from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
+from stochgeom.exact.intervals import inward_decimals
 from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.nearby_courses import PartErrorReport
 from stochgeom.feeding.preimages import Preimages
@@ -85,6 +87,27 @@ class Margin:
     angle: Angle
     low: Angle | None
     high: Angle | None
+
+    def decimals(self, digits: int = 4) -> tuple[str, str, str]:
+        """Return angle, low and high in degrees, the ends rounded inwards.
+
+        With more digits than asked for, if the range is narrower than one of the last of them.
+
+        Raises
+        ------
+        InputError
+            If the action has no range.
+
+        Examples
+        --------
+        >>> Margin(Angle(0, (1, 1)), Angle(0, (3, 1)), Angle(0, (1, 3))).decimals(2)
+        ('45.00', '18.44', '71.56')
+        """
+        if self.low is None or self.high is None:
+            raise InputError(
+                f"the action at {self.angle} has no range; accepted: one with both ends"
+            )
+        return self.angle.degrees(digits), *inward_decimals(self.low, self.high, digits)
 
     @property
     def below(self) -> Angle | None:

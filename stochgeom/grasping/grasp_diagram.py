@@ -24,6 +24,7 @@ from stochgeom.display import Displayed
 from stochgeom.errors import InvalidAngleError, OutcomeError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, ZERO, Angle
 from stochgeom.exact.cells import CellSet, merge
+from stochgeom.exact.decimals import Rounding
 from stochgeom.exact.halves import HalfAngle
 from stochgeom.exact.intervals import Interval
 from stochgeom.exact.sums import AngleSum, Probability
@@ -68,6 +69,29 @@ class GraspTolerance:
         """The gripper relative to the part's input pose, in [0, 360) degrees, that gives it."""
         return HalfAngle((-self.orientation.doubled) % (FULL_TURN + FULL_TURN))
 
+    def decimals(self, digits: int = 4) -> tuple[str, str]:
+        """Return grasp angle and margin in degrees, so that the decimals hold as they stand.
+
+        The margin is the one that the *printed* angle leaves, rounded down, with more digits than
+        asked for where it would be 0. That of a single orientation is 0 at the angle itself.
+
+        Examples
+        --------
+        >>> square = GraspDiagram([(0, 0), (1, 0), (1, 1), (0, 1)], "0.25")
+        >>> square.largest_tolerances()[0].decimals()
+        ('0.0000', '30.9637')
+        """
+        width = self.interval.width
+        while True:
+            angle = self.grasp_angle.degrees(digits)
+            if not width:
+                return angle, ZERO.degrees(digits)
+            from_start = (-Angle.from_degrees(angle) - self.interval.start).reduced()
+            margin = min(from_start, width - from_start).degrees(digits, Rounding.DOWN)
+            if from_start < width and margin.strip("0."):
+                return angle, margin
+            digits += 1
+
 
 @final
 class GraspDiagram(Displayed):
@@ -102,7 +126,7 @@ class GraspDiagram(Displayed):
     --------
     >>> square = GraspDiagram([(0, 0), (1, 0), (1, 1), (0, 1)], "0.25")
     >>> print(square.strong_preimage(ZERO))
-    {[329.0362°, 390.9638°]}
+    {[329.0363°, 390.9637°]}
     """
 
     def __init__(self, part: PartLike, mu: FrictionLike) -> None:

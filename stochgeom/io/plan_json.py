@@ -80,7 +80,7 @@ def _asked(problem: FeedingProblem, digits: int) -> Json:
 
 def _bound_json(bound: ErrorBound, digits: int) -> Json:
     """Return twice the bound, exact, and the bound in degrees, rounded down; not attained."""
-    return {"doubled": angle_json(bound.slack, digits), "degrees": bound.degrees(digits)}
+    return {"doubled": angle_json(bound.slack, digits), "degrees": bound.decimal(digits)}
 
 
 def part_json(part: Part) -> Json:

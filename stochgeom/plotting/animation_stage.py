@@ -38,7 +38,10 @@ _GLIDE: Final = 2.4
 
 
 def traces(plan: FeedingPlan) -> tuple[Trace, ...]:
-    """Return the parts on the stage, one for each step of the first action or for some of them."""
+    """Return the parts on the stage: one for each step of the first action, or for some of them.
+
+    Under a prior such as arrive.
+    """
     assert plan.part is not None
     hold = Hold(plan.part)
     return tuple(Trace(plan, hold, start) for start in typical_orientations(plan, MOST_PARTS))

@@ -95,10 +95,11 @@ def add_distribution(
 
 
 def _numbers(state: Hyperstate, shares: Sequence[float]) -> list[str] | None:
-    """Return the probabilities as texts, or None if they are too many."""
-    if len(shares) > _MOST_NUMBERS:
+    """Return the probabilities as texts; None if they are too many, or bars hold several."""
+    state = state.possible()
+    if len(shares) > _MOST_NUMBERS or len(shares) < len(state):
         return None
-    return [_short(text) for k, text in enumerate(state.probabilities(2)) if possible(state, k)]
+    return [_short(text) for text in state.probabilities(2)]
 
 
 def bars_of_state(state: Hyperstate) -> tuple[list[float], list[float]]:
@@ -106,21 +107,16 @@ def bars_of_state(state: Hyperstate) -> tuple[list[float], list[float]]:
 
     Of more than `MOST_BARS` orientations, of every degree that has some.
     """
+    state = state.possible()
     if len(state) <= MOST_BARS:
-        kept = [k for k in range(len(state)) if possible(state, k)]
-        places = [in_degrees(state.orientations[k]) for k in kept]
-        return places, [float(state.probability(k)) for k in kept]
+        places = [in_degrees(theta) for theta in state.orientations]
+        return places, [float(state.probability(k)) for k in range(len(state))]
     sums: dict[int, float] = {}
     for theta, k in zip(state.orientations, range(len(state)), strict=True):
         degree = int(np.degrees(shadow(theta)))
         share = shadow(state.widths[k]) / TWO_PI if state.masses is None else state.probability(k)
         sums[degree] = sums.get(degree, 0.0) + float(share)
     return [degree + 0.5 for degree in sums], list(sums.values())
-
-
-def possible(state: Hyperstate, k: int) -> bool:
-    """Tell whether an orientation has a probability that is not known to be 0."""
-    return state.probability(k).rational != 0
 
 
 def _short(text: str) -> str:

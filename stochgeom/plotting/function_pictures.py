@@ -30,7 +30,7 @@ from stochgeom.plotting.curves import (
     turns_for,
     wave_of,
 )
-from stochgeom.plotting.distributions import bars_of_state, possible
+from stochgeom.plotting.distributions import bars_of_state
 from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks, wave_limits
 from stochgeom.plotting.scene import MINUS
 from stochgeom.plotting.styles import INK, STYLES
@@ -313,9 +313,9 @@ def draw_distribution(state: Hyperstate, ax: Axes | None = None) -> Axes:
     _degrees(ax, 1)
     ax.set_xlim(-6.0, 366.0)
     ax.set_ylabel("probability")
-    if len(places) <= _MOST_NUMBERS:
-        texts = [t for k, t in enumerate(state.probabilities(3)) if possible(state, k)]
-        _write_over_bars(ax, places, shares, texts, half)
+    state = state.possible()
+    if len(state) <= len(places) <= _MOST_NUMBERS:  # a bar for each orientation
+        _write_over_bars(ax, places, shares, state.probabilities(3), half)
     return ax
 
 

@@ -17,10 +17,12 @@ from stochgeom.plotting.animation_stage import (
     still,
 )
 from stochgeom.plotting.function_scenes import analysis_scene
+from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.report_pictures import distribution_scene, tolerance_scene
 from stochgeom.plotting.report_subject import Subject, shown_rows
 from stochgeom.plotting.report_tables import (
     action_table,
+    caught,
     cost_table,
     distribution_table,
     exact_actions,
@@ -102,27 +104,29 @@ def actions_section(subject: Subject) -> Iterator[str]:
         return
     shown = [k for k in shown_rows(subject.plan.steps) if k is not None][: 2 * MOST_PICTURED]
     yield _picture(
-        tolerance_scene([(k + 1, subject.plan.actions[k]) for k in shown]),
-        "Ranges of the actions",
-        "For each action a bar from the lower end of its range, hollow: not included, to the upper "
-        "end, filled: included. The triangle marks the angle of the plan. The table above has the "
-        "numbers.",
+        tolerance_scene(
+            [(k + 1, subject.plan.actions[k]) for k in shown],
+            free="any angle" if subject.plan.prior is None else "aims the mouth: no range",
+        ),
+        "By how much each angle may be off",
+        "For each action a bar about the angle of the plan, which the triangle marks: from the "
+        "lower end of its range, hollow: not included, to the upper end, filled: included. The "
+        "table above has the numbers.",
     )
 
 
 def distributions_section(subject: Subject) -> Iterator[str]:
     """Yield what is known of the orientation after each action."""
-    steps = subject.plan.steps
+    steps, half = subject.plan.steps, MOST_PICTURED // 2
+    if subject.plan.prior is not None and steps <= MOST_PICTURED:
+        yield from _funnel(subject)
     few = [k for k in range(1, steps + 1) if len(subject.outcomes[k - 1]) <= MOST_DRAWN]
     shown = few
+    if len(few) < steps:
+        yield f"<p>Actions that leave more than {MOST_DRAWN} orientations are left out.</p>"
     if len(few) > MOST_PICTURED:
-        half = MOST_PICTURED // 2
         shown = few[:half] + few[-half:]
-    if len(shown) < steps:
-        yield (
-            f"<p>{len(shown)} of {steps} actions are shown: the first and the last of those that "
-            f"leave at most {MOST_DRAWN} orientations.</p>"
-        )
+        yield f"<p>Of {len(few)} actions the first {half} and the last {half} are shown.</p>"
     if not shown:
         return
     goal = subject.plan.final_orientation
@@ -138,6 +142,20 @@ def distributions_section(subject: Subject) -> Iterator[str]:
     )
     tables = "\n".join(distribution_table(subject, k) for k in shown)
     yield f"<details><summary>All probabilities</summary>\n{tables}\n</details>"
+
+
+def _funnel(subject: Subject) -> Iterator[str]:
+    """Yield the prior, what the mouth catches of it, and how the actions narrow that."""
+    yield (
+        "<p>How parts arrive, above, and what the plan catches of it, shaded. Each action takes "
+        "the wide arc to the narrow one below it; horizontal is the part's angle on the table.</p>"
+    )
+    yield _picture(
+        funnel_scene(subject.plan),
+        "The prior and the plan as a funnel",
+        f"What arrives at {caught(subject)} is caught; each action makes the arc narrower, until "
+        "one orientation is left.",
+    )
 
 
 def functions_section(subject: Subject) -> Iterator[str]:
@@ -224,7 +242,11 @@ def certificate_section(subject: Subject) -> Iterator[str]:
             "<p>This page carries the plan with everything that proves it, in a data block. "
             "<code>stochgeom verify THIS-FILE</code> reads it out and checks every claim anew, "
             "with a program that shares no code with the planner. By hand: it is the JSON in "
-            f"the element with the id <code>{CERTIFICATE}</code>.</p>"
+            f"the element with the id <code>{CERTIFICATE}</code>. Checked is that block, not what "
+            "this page shows.</p><p>What is certified: where the mouth ends, the ranges of the "
+            "actions, and that no plan of an exact gripper, whatever its final orientation, costs "
+            "less if parts arrive in any orientation, all equally likely. A goal or a gripper "
+            "error that was asked for is not part of the document.</p>"
         )
         yield data_block(CERTIFICATE, document)
         return

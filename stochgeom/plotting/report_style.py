@@ -34,6 +34,7 @@ font-variant-numeric:tabular-nums}
 .facts div{display:flex;flex-direction:column-reverse;justify-content:flex-end}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}
 caption{text-align:left;padding:.2rem 0 .5rem}
+caption span{display:inline-block;position:sticky;left:0;max-width:min(46rem,calc(100vw - 2rem))}
 th,td{padding:.35rem .8rem;text-align:right;border-bottom:1px solid var(--rule);
 vertical-align:baseline;white-space:nowrap}
 thead th{white-space:normal;max-width:11rem}
@@ -42,7 +43,11 @@ border-bottom:2px solid var(--soft)}
 tbody th{font-weight:600}
 .left{text-align:left}
 tr.chosen{background:var(--panel);font-weight:600}
-.wide{overflow-x:auto;margin:.5rem 0 1rem}
+.wide{overflow-x:auto;margin:.5rem 0 1rem;
+background:linear-gradient(to right,var(--paper) 40%,transparent) left/2.5rem 100% no-repeat local,
+linear-gradient(to left,var(--paper) 40%,transparent) right/2.5rem 100% no-repeat local,
+linear-gradient(to right,#80808080,transparent) left/.9rem 100% no-repeat scroll,
+linear-gradient(to left,#80808080,transparent) right/.9rem 100% no-repeat scroll}
 .wide:focus-visible{outline:3px solid var(--accent);outline-offset:2px}
 .wide>svg{display:block;max-width:100%;height:auto;min-width:38rem}
 details{margin:.6rem 0;border:1px solid var(--rule);border-radius:.5rem;padding:.1rem .9rem}

@@ -66,10 +66,14 @@ class Subject:
         return tuple(self.plan.outcomes())
 
     def state(self, step: int) -> Hyperstate:
-        """Return the distribution after so many actions."""
+        """Return the distribution after so many actions, without what cannot occur."""
         if step not in self._states:
-            self._states[step] = self.outcomes[step - 1].hyperstate()
+            self._states[step] = self.outcomes[step - 1].hyperstate().possible()
         return self._states[step]
+
+    def left(self, step: int) -> int:
+        """Return how many orientations are possible after so many actions."""
+        return len(self.outcomes[step - 1]) if self.plan.prior is None else len(self.state(step))
 
     @cached_property
     def chain(self) -> tuple[Preimage, ...]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from stochgeom.exact.angles import Angle
+from stochgeom.exact.angles import FULL_TURN, Angle
+from stochgeom.exact.decimals import significant
 from stochgeom.exact.scalars import rational_text
 from stochgeom.exact.surds import scalar_text
 from stochgeom.feeding.actions import Action
@@ -37,7 +38,7 @@ def table(
         The number of the row that stands out.
     """
     lines = [f'<div class="wide" tabindex="0" role="region" aria-label="{caption}">']
-    lines.append(f'<table class="{kind}"><caption>{caption}</caption><thead><tr>')
+    lines.append(f'<table class="{kind}"><caption><span>{caption}</span></caption><thead><tr>')
     lines.extend(f'<th scope="col">{cell}</th>' for cell in header)
     lines.append("</tr></thead><tbody>")
     for place, (first, *others) in enumerate(rows):
@@ -63,8 +64,8 @@ def action_table(subject: Subject) -> str:
                 str(k + 1),
                 angle,
                 range_text,
-                "" if width is None else f"{width.degrees(subject.digits)}°",
-                str(len(outcome)),
+                "" if width is None else f"{significant(width.degrees, subject.digits)}°",
+                str(subject.left(k + 1)),
                 outcome.most_likely().decimal(subject.digits),
             ]
         )
@@ -85,9 +86,17 @@ def angle_and_range(subject: Subject, k: int) -> tuple[str, str]:
     if action.low is None or action.high is None:
         if subject.plan.prior is None:
             return "random", "any angle"
-        return f"{action.angle.degrees(subject.digits)}°", "where the mouth catches most"
+        return f"{subject.plan.mouth_decimals(subject.digits)[0]}°", f"aims at {caught(subject)}"
     angle, low, high = action.decimals(subject.digits)
     return f"{angle}°", f"({low}°, {high}°]"
+
+
+def caught(subject: Subject) -> str:
+    """Return the orientations that the mouth catches if the first angle is as printed."""
+    if subject.plan.mouth.width == FULL_TURN:
+        return "every orientation"
+    _, low, high = subject.plan.mouth_decimals(subject.digits)
+    return f"{low}° to {high}°"
 
 
 def cost_table(subject: Subject) -> str:

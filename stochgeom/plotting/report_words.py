@@ -7,7 +7,7 @@ from stochgeom.feeding.actions import printed_margin
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.animation_motion import Trace
 from stochgeom.plotting.report_subject import Subject
-from stochgeom.plotting.report_tables import angle_and_range
+from stochgeom.plotting.report_tables import angle_and_range, caught
 from stochgeom.plotting.svg import text_of
 
 
@@ -26,14 +26,19 @@ def headline(subject: Subject) -> str:
         )
     else:
         width = plan.mouth.width.degrees(subject.digits)
+        where = f"in an arc of {width}°" if plan.prior is None else f"from {caught(subject)}"
         what = (
-            f"The initial orientations in an arc of {width}° end in one and the same. A filter "
+            f"The initial orientations {where} end in one and the same. A filter "
             "accepts that one and sends the rest around again."
         )
     if plan.prior is None:
         arrival = "Parts arrive in any orientation, all equally likely."
     else:
-        arrival = f"Parts arrive so: {text_of(plan.prior.describe())}."
+        arrival = (
+            f"Parts arrive so: {text_of(plan.prior.describe())}. The first action turns the "
+            f"gripper so that what arrives at {caught(subject)}, the mouth of the plan, ends in "
+            "the accepted orientation."
+        )
     return f"<p>{what}</p><p>{arrival}</p>"
 
 
@@ -69,6 +74,11 @@ def frame_of_reference(subject: Subject) -> str:
         "relative to the gripper. Ranges are open below and closed above, hold whatever the other "
         "actions do inside theirs, and are rounded inwards: all of them works as printed."
     )
+    if subject.plan.prior is not None:
+        words += (
+            " The first action has no range: any other angle moves the mouth and catches other "
+            "parts. Its angle is relative to the pose in which initial orientations are counted."
+        )
     lines = [words]
     if subject.action == "push-grasp":
         lines.append("The lower jaw, drawn dark, pushes the part first; then both squeeze it.")
@@ -87,10 +97,17 @@ def frame_of_reference(subject: Subject) -> str:
 def said_at(subject: Subject, step: int) -> str:
     """Say what the action before this moment was, 0 for the start."""
     if step == 0:
+        if subject.plan.prior is None:
+            which = (
+                "each from another set of initial orientations that the first action brings to one"
+            )
+        elif subject.plan.prior.kind == "discrete":
+            which = "in orientations that were measured"
+        else:
+            which = "in orientations that part the prior into equal shares"
         return (
-            "Before the first action: parts between open jaws, each from another set of initial "
-            "orientations that the first action brings to one. The black dot is vertex 0, the "
-            "white one the centre of mass."
+            f"Before the first action: parts between open jaws, {which}. The black dot is "
+            "vertex 0, the white one the centre of mass."
         )
     angle, range_text = angle_and_range(subject, step - 1)
     verb = text_of(subject.action)
@@ -99,12 +116,13 @@ def said_at(subject: Subject, step: int) -> str:
     elif range_text.startswith("("):
         turn = f"turn the gripper by {angle}, anywhere in {range_text}, then {verb}"
     else:
-        turn = f"turn the gripper by {angle}, {range_text}, then {verb}"
+        turn = f"turn the gripper by {angle}, which {range_text}, then {verb}"
     outcome = subject.outcomes[step - 1]
-    left = "orientation is" if len(outcome) == 1 else "orientations are"
+    count = subject.left(step)
+    left = "orientation is" if count == 1 else "orientations are"
     likeliest = outcome.most_likely().decimal(subject.digits)
     return (
-        f"<strong>Action {step}</strong>: {turn}. {len(outcome)} {left} left; "
+        f"<strong>Action {step}</strong>: {turn}. {count} {left} left; "
         f"the likeliest has probability {likeliest}."
     )
 

@@ -36,7 +36,7 @@ def plan_html(plan: FeedingPlan) -> str:
     rows = []
     for k, action in enumerate(plan.actions[:MOST_ROWS], 1):
         if action.low is None:
-            free = "any" if plan.prior is None else shown_degrees(action.angle.degrees())
+            free = "any" if plan.prior is None else shown_degrees(plan.mouth_decimals()[0])
             rows.append([str(k), free, "", ""])
         else:
             rows.append([str(k), *map(shown_degrees, action.decimals())])

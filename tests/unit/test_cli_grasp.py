@@ -30,10 +30,10 @@ Stable orientations
 
 Wedged
           orientations  between vertices
-    (42.2737, 70.3462)              0, 2
-  (109.6538, 137.7263)              3, 1
-  (222.2737, 250.3462)              2, 0
-  (289.6538, 317.7263)              1, 3
+    (42.2737, 70.3461)              0, 2
+  (109.6539, 137.7263)              3, 1
+  (222.2737, 250.3461)              2, 0
+  (289.6539, 317.7263)              1, 3
 
 Guaranteed to end stable, whichever jaw touches first and however far it pushes:
   [70.3462, 109.6538]

@@ -109,9 +109,9 @@ class TestPrior:
     def test_where_the_mouth_stands(self, capsys):
         square = ["--vertices", "0,0 1,0 1,1 0,1", "--prior", "normal:20,10"]
         text = report(capsys, *square)
-        assert "  catches what arrives from 335.0000 to 425.0000 degrees\n" in text
+        assert "  catches what arrives from -25.0000 to 65.0000 degrees\n" in text
         text = report(capsys, *square, "--gripper-error", "20")
-        assert "  catches for sure what arrives from 355.0000 to 405.0000 degrees\n" in text
+        assert "  catches for sure what arrives from -5.0000 to 45.0000 degrees\n" in text
         text = report(capsys, *HOUSE, "--action", "push-grasp", "--prior", "normal:20,90")
         assert "  catches every orientation\n" in text
 

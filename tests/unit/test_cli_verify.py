@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from stochgeom.cli.certified import scope
 from stochgeom.feeding import certificate_checker
+from stochgeom.feeding.planner import plan_feeding
 from stochgeom.thesis.parts import catalogue_names
 from tests.commands import call
 
@@ -36,13 +38,65 @@ def test_what_plan_writes_verify_takes(capsys, tmp_path, name):
 
 def test_the_words_of_a_verdict(capsys, house, tmp_path):
     result = call(capsys, "verify", str(house))
-    assert result.out == "valid: 1 squeeze for house: of least expected cost at a cost ratio of 1\n"
+    valid, *scope = result.out.splitlines()
+    assert valid == "valid: 1 squeeze for house: of least expected cost at a cost ratio of 1"
+    assert scope == [
+        "certified for parts that arrive in any orientation, all equally likely; compared with all",
+        "plans of an exact gripper, whatever their final orientation. No prior is certified.",
+        "The plan ends at 90.0000 degrees relative to the gripper, and bears any gripper error.",
+    ]
     path = str(tmp_path / "rectangle.json")
     call(capsys, "plan", "rectangle", "--certificate", path)
-    assert call(capsys, "verify", path).out == (
+    valid, *_, last = call(capsys, "verify", path).out.splitlines()
+    assert valid == (
         "valid: 2 squeezes for rectangle: of least expected cost at a cost ratio of 1, and the "
-        "fewest that orient it up to symmetry\n"
+        "fewest that orient it up to symmetry"
     )
+    assert last == (
+        "The plan ends at 180.0000 degrees relative to the gripper, and bears gripper errors "
+        "below 11.3099 degrees."
+    )
+
+
+def test_what_was_asked_for_beyond_a_certificate_is_not_said_to_be_certified(capsys, tmp_path):
+    path = str(tmp_path / "plan.json")
+    asked = ["rectangle", "--goal", "0", "--gripper-error", "2", "--certificate", path]
+    planned = call(capsys, "plan", *asked)
+    assert planned.code == 0
+    assert "neither the goal nor the gripper error is part of the certificate" in planned.out
+    assert "goal" not in Path(path).read_text()
+    verdict = call(capsys, "verify", path).out
+    assert "whatever their final orientation" in verdict
+    assert "gripper errors below 11.3099 degrees" in verdict  # more than the 2 asked for
+    # Without a goal or an error there is nothing to say.
+    assert "part of the certificate" not in call(
+        capsys, "plan", "rectangle", "--certificate", path
+    ).out  # fmt: skip
+
+
+def test_a_plan_that_a_goal_makes_another_has_no_certificate(capsys, tmp_path):
+    path = str(tmp_path / "plan.json")
+    result = call(capsys, "plan", "house", "--goal", "0", "--certificate", path)
+    assert (result.code, result.out) == (2, "")
+    assert "a goal or an inexact gripper makes this another plan" in result.err
+
+
+def test_an_error_that_is_borne_at_a_tie_and_numbers_over_a_field(tmp_path):
+    document = plan_feeding([(0, 0), (3, 0), (3, 2), (0, 2)]).certificate()
+    action = document["plan"]["actions"][1]
+    action["angle"] = action["high"]  # allowed: ranges are closed above
+    assert scope(document)[-1].endswith("bears no gripper error.")
+    action["high"] = {"turns": 0, "direction": ["s", "1"]}
+    assert scope(document)[-1] == "Its final orientation and its ranges are in the certificate."
+
+
+def test_a_page_that_was_changed_beside_its_certificate(capsys, tmp_path):
+    path = tmp_path / "page.html"
+    call(capsys, "report", "rectangle", "-o", str(path))
+    path.write_text(path.read_text().replace("0.5000", "0.6000"))
+    result = call(capsys, "verify", str(path))
+    assert result.code == 0
+    assert "Checked is the certificate inside the page, not what the page shows" in result.out
 
 
 @pytest.mark.parametrize(
@@ -70,8 +124,8 @@ def test_push_grasp_plans(capsys, tmp_path, arguments, subject, claims):
     pushing = ["--action", "push-grasp", "--certificate", path]
     assert call(capsys, "plan", *arguments, *pushing).code == 0
     result = call(capsys, "verify", path)
-    verdict = f"valid: {subject}: of least expected cost at a cost ratio of {claims}\n"
-    assert (result.code, result.out, result.err) == (0, verdict, "")
+    verdict = f"valid: {subject}: of least expected cost at a cost ratio of {claims}"
+    assert (result.code, result.out.splitlines()[0], result.err) == (0, verdict, "")
     document = json.loads(Path(path).read_text())
     document["push"]["breaks"][0]["vertex"] += 1
     Path(path).write_text(json.dumps(document))

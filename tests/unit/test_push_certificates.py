@@ -404,7 +404,7 @@ class TestOtherPlans:
         prior = DiscretePrior([("10", "1/2"), ("20", "1/2")])
         for action in ("squeeze", "push-grasp"):
             plan = plan_feeding(HOUSE, action=action, prior=prior)
-            with pytest.raises(InputError, match="a prior, a goal or an inexact gripper; accepted"):
+            with pytest.raises(InputError, match="this plan is for a prior; accepted"):
                 plan.certificate()
 
     def test_a_uniform_prior_is_none(self):
@@ -434,7 +434,9 @@ class TestOtherPlans:
         widest, second = list(Preimages(transfer))[:2]
         plan = FeedingPlan(transfer, [second], mpq(1), HOUSE, "push-grasp")
         assert widest.arc != second.arc
-        with pytest.raises(InputError, match="a prior, a goal or an inexact gripper; accepted"):
+        with pytest.raises(
+            InputError, match="a goal or an inexact gripper makes this another plan"
+        ):
             plan.certificate()
 
 

@@ -19,10 +19,10 @@ from stochgeom.feeding import field_certificate_checker
 from stochgeom.io.embedded import CERTIFICATE, PLAN, find_block
 from stochgeom.io.plan_json import plan_json
 from stochgeom.plotting.report import report_html
-from stochgeom.plotting.report_pictures import distribution_scene
+from stochgeom.plotting.report_pictures import distribution_scene, tolerance_scene
 from stochgeom.plotting.report_sections import MOST_CERTIFIED
 from stochgeom.plotting.report_subject import MOST_MORE, MOST_ROWS, Subject, shown_rows
-from stochgeom.plotting.scene import Label, box_of
+from stochgeom.plotting.scene import Disc, Label, Polygon, box_of
 from tests.repo.sources import ROOT
 
 HALF_OPEN = sg.StepFunction(
@@ -170,7 +170,7 @@ def test_hostile_names_stay_text():
 
 def cells(page: str, caption: str) -> list[list[str]]:
     """Return the rows of the table of that caption, its header first, as text."""
-    part = page.partition(f"<caption>{caption}")[2].partition("</table>")[0]
+    part = page.partition(f"<caption><span>{caption}")[2].partition("</table>")[0]
     rows = re.findall(r"<tr.*?</tr>", part, re.DOTALL)
     pairs = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in rows]
     return [[re.sub("<[^>]*>", "", cell) for cell in row] for row in pairs]
@@ -265,7 +265,7 @@ def test_distributions_are_those_of_the_plan():
         (lambda: sg.plan_feeding(sg.load_part("house"), gripper_error="2"), "off by 2.0000°"),
         (PLANS["push-grasp"], "lower jaw, drawn dark, pushes"),
         (PLANS["prior"], "normal, mean 10.0000°, standard deviation 30.0000°"),
-        (PLANS["prior"], "where the mouth catches most"),
+        (PLANS["prior"], "aims at "),
         (PLANS["house"], "26.5650°</dd>"),
         (lambda: sg.plan_feeding(sg.load_part("house")), "the only turn is random"),
         (PLANS["no part"], "Feeding plan for this part"),
@@ -418,3 +418,81 @@ def test_pictures_are_loaded_when_a_page_is_written(tmp_path):
     path = tmp_path / "page.html"
     subprocess.run([sys.executable, "-c", code, str(path)], check=True, cwd=ROOT)
     assert path.exists()
+
+
+# --- under a prior -------------------------------------------------------------------------------
+
+L = [(0, 0), ("7/2", 0), ("7/2", "3/4"), ("5/6", "3/4"), ("5/6", "13/3"), (0, "13/3")]
+
+
+class TestMeasuredOrientations:
+    """A part that arrives at 0 or at 90 degrees, and never otherwise."""
+
+    prior = sg.DiscretePrior.from_counts({"0": 50, "90": 30})
+    page = report_html(sg.plan_feeding(L, prior=prior))
+
+    def test_the_first_angle_is_not_said_to_be_free(self):
+        page = self.page
+        assert "any angle" not in page
+        first, second = cells(page, "Actions in order")[1:]
+        assert first == ["1", "-10.8856°", "aims at 0.0000° to 130.1868°", "", "2", "0.6250"]
+        assert second[4:] == ["1", "1.0000"]
+        assert "which aims at 0.0000° to 130.1868°, then squeeze" in page
+        assert "aims the mouth: no range" in page
+
+    def test_the_mouth_and_the_prior_are_there(self):
+        page = self.page
+        assert "from 0.0000° to 130.1868° end in one and the same" in page
+        assert "caught: 1.0000" in page
+
+    def test_only_what_arrives_is_shown(self):
+        page = self.page
+        assert [row[0] for row in cells(page, "The same parts")[1:]] == ["0.00°", "90.00°"]
+        assert "sent around again<" not in page
+        assert [row[2] for row in cells(page, "After action 1<")[1:]] == ["0.6250", "0.3750"]
+
+
+def test_what_stands_for_a_density_lies_where_it_is():
+    plan = sg.plan_feeding(sg.load_part("house"), prior=sg.WrappedNormal("30", "12"))
+    starts = [trace.start for trace in Subject(plan, 4).traces]
+    assert len(starts) == 5
+    assert all(sg.Angle.from_degrees(6) < theta < sg.Angle.from_degrees(54) for theta in starts)
+
+
+def test_a_report_without_a_prior_has_no_funnel():
+    assert "as a funnel" not in report_html(sg.plan_feeding(L))
+
+
+# --- ranges --------------------------------------------------------------------------------------
+
+
+def test_ranges_are_drawn_about_their_angles():
+    actions = sg.plan_feeding(sg.load_part("4gon")).actions
+    scene = tolerance_scene(list(enumerate(actions, 1)))
+    hollow, closed = (
+        [shape.center for shape in scene.shapes if isinstance(shape, Disc) and shape.style == style]
+        for style in ("hollow", "closed")
+    )
+    marks = [
+        shape.points[0]
+        for shape in scene.shapes
+        if isinstance(shape, Polygon) and shape.style == "image"
+    ]
+    for action, low, high, (x, _) in zip(actions[1:], hollow, closed, marks[-3:], strict=True):
+        below, above = (float(a.degrees(9)) for a in (action.angle - action.low,
+                                                      action.high - action.angle))  # fmt: skip
+        assert (x - low[0]) * above == pytest.approx((high[0] - x) * below)
+
+
+def test_a_range_too_narrow_to_draw_is_written_out():
+    plan = sg.plan_feeding(sg.FAMILIES["long plans"](25, seed=1))
+    narrow = min(plan.actions[1:], key=lambda action: action.tolerance)
+    scene = tolerance_scene([(1, plan.actions[1]), (2, narrow)])
+    assert "0.0000101° wide" in {s.text for s in scene.shapes if isinstance(s, Label)}
+
+
+def test_a_long_plan_says_which_actions_it_shows():
+    page = report_html(sg.plan_feeding(sg.FAMILIES["long plans"](25, seed=1)))
+    found = re.search(r"Of (\d+) actions the first 6 and the last 6 are shown", page)
+    assert found
+    assert int(found[1]) > 12

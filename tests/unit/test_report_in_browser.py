@@ -229,6 +229,19 @@ def test_the_page_does_not_scroll_sideways(page, name, width):
     assert found.evaluate("document.documentElement.scrollWidth") <= width
 
 
+def test_captions_are_read_on_a_phone_and_what_scrolls_says_so(page):
+    found = page(PLANS["many steps"](), 390)
+    ends = found.evaluate(
+        "[...document.querySelectorAll('section > .wide caption span')].filter("
+        "s => s.checkVisibility()).map(s => s.getBoundingClientRect().right)"
+    )
+    assert len(ends) > 2
+    assert max(ends) <= 390
+    # Covers that scroll with the content, over shadows at the edges that do not.
+    style = "getComputedStyle(document.querySelector('.wide')).backgroundAttachment"
+    assert found.evaluate(style) == "local, local, scroll, scroll"
+
+
 def test_nothing_moves_for_who_asked_for_that(page):
     plan = PLANS["4gon"]()
     found = page(plan, prefers_reduced_motion="reduce")
