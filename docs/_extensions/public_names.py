@@ -32,7 +32,9 @@ def directive_of(name: str) -> list[str]:
     """Return the lines of reStructuredText that document a public name."""
     value = getattr(stochgeom, name)
     if inspect.isclass(value):
-        bases = [] if value.__bases__ == (object,) else ["   :show-inheritance:"]
+        # Bases without a name of their own in the manual are no concern of the reader.
+        known = all(b.__name__ in stochgeom.__all__ for b in value.__bases__)
+        bases = ["   :show-inheritance:"] if known else []
         return [f".. autoclass:: stochgeom.{name}", "   :members:", *bases, ""]
     if callable(value):
         return [f".. autofunction:: stochgeom.{name}", ""]
