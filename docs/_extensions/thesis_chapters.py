@@ -38,7 +38,7 @@ from thesis_results import (
 
 from stochgeom.cli.layout import count
 from stochgeom.cli.reproduce_text import heading
-from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
+from stochgeom.plotting.source_figures import SOURCE_FIGURES
 from stochgeom.thesis.errata import Erratum
 from stochgeom.thesis.number_tables import Entry, NumberTable, Verdict, verdict_of
 from stochgeom.thesis.reproductions import REPRODUCTIONS
@@ -129,16 +129,13 @@ def section_of(name: str, picture: Callable[[str], nodes.Node], *, long: bool) -
     found = section(label_of(name), title_of(name))
     if name in SOURCE_FIGURES:
         found += picture(name)
-    elif name in OPEN_FIGURES:
-        found += paragraph(nodes.strong("", "Open"), f": {OPEN_FIGURES[name]}.")
     numbers, others = numbers_of(name, long=long), errata_at(name)
     if numbers is not None:
         found += list(number_nodes(numbers, others))
     elif name in REPRODUCTIONS:
         found += paragraph("A long experiment, which is not run when the manual is built.")
     found += [paragraph(*erratum_words(erratum), classes=["erratum"]) for erratum in others]
-    if name not in OPEN_FIGURES:
-        found += paragraph(nodes.literal(text=f"stochgeom reproduce {name}"))
+    found += paragraph(nodes.literal(text=f"stochgeom reproduce {name}"))
     return found
 
 
@@ -186,7 +183,7 @@ class ThesisSummary(SphinxDirective):
         for name in names:
             numbers = numbers_of(name, long=long)
             total += Counter() if numbers is None else numbers.verdicts
-        pictures = f"{count(len(SOURCE_FIGURES), 'picture')} drawn, {len(OPEN_FIGURES)} open"
+        pictures = f"{count(len(SOURCE_FIGURES), 'picture')} drawn"
         header = ["", *(verdict.value for verdict in Verdict), "picture", "what"]
         rows = [self._row(name, numbers_of(name, long=long)) for name in names]
         return [
@@ -202,8 +199,8 @@ class ThesisSummary(SphinxDirective):
             else entry("")
             for verdict in Verdict
         ]
-        picture = "drawn" if name in SOURCE_FIGURES else "open" if name in OPEN_FIGURES else ""
-        what = OPEN_FIGURES.get(name) or title_of(name).partition(": ")[2]
+        picture = "drawn" if name in SOURCE_FIGURES else ""
+        what = title_of(name).partition(": ")[2]
         if numbers is None and name in REPRODUCTIONS:
             what += " (a long experiment, not run here)"
         return [entry(link_to(label_of(name), heading(name))), *counts, entry(picture), entry(what)]

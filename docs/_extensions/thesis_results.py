@@ -13,7 +13,7 @@ from pathlib import Path
 from stochgeom.cli.reproduce_command import file_stem
 from stochgeom.cli.reproduce_text import heading
 from stochgeom.plotting.axes import save_figure
-from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
+from stochgeom.plotting.source_figures import SOURCE_FIGURES
 from stochgeom.thesis.errata import Erratum
 from stochgeom.thesis.errata_register import ERRATA
 from stochgeom.thesis.number_tables import NumberTable
@@ -43,7 +43,7 @@ def chapter_of(name: str) -> str:
 def names_by_chapter() -> dict[str, list[str]]:
     """Return all that can be recomputed or drawn, and all that is open, in the source's order."""
     found: dict[str, list[str]] = {}
-    for name in sorted({*REPRODUCTIONS, *SOURCE_FIGURES, *OPEN_FIGURES}, key=place_of):
+    for name in sorted({*REPRODUCTIONS, *SOURCE_FIGURES}, key=place_of):
         found.setdefault(chapter_of(name), []).append(name)
     return found
 

@@ -90,17 +90,17 @@ def chosen_names(names: Sequence[str], *, every: bool, long: bool) -> list[str]:
     InputError
         If ``--long`` stands without ``--all``.
     """
-    from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
+    from stochgeom.plotting.source_figures import SOURCE_FIGURES
     from stochgeom.thesis.reproductions import REPRODUCTIONS, canonical_name, number_of, place_of
 
     short = [name for name, item in REPRODUCTIONS.items() if long or not item.long]
-    known = {*REPRODUCTIONS, *SOURCE_FIGURES, *OPEN_FIGURES}
+    known = {*REPRODUCTIONS, *SOURCE_FIGURES}
     listed = ", ".join(sorted(known, key=place_of))
     if long and not every:
         raise InputError("without --all; accepted: --all --long, or the names", where="--long")
     if not names and not every:
         raise UnknownReproductionError(f"nothing is named; accepted: --all, or some of {listed}")
-    found = {*short, *SOURCE_FIGURES, *OPEN_FIGURES} if every else set()
+    found = {*short, *SOURCE_FIGURES} if every else set()
     for text in names:
         name = canonical_name(text)
         if name not in known:
@@ -158,7 +158,7 @@ def _outcome(
 ) -> Outcome:
     """Recompute and draw; or say of pictures why they are not drawn."""
     from stochgeom.cli.reproduce_text import Outcome
-    from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
+    from stochgeom.plotting.source_figures import SOURCE_FIGURES
     from stochgeom.thesis.reproductions import REPRODUCTIONS
 
     item, figure = REPRODUCTIONS.get(name), SOURCE_FIGURES.get(name)
@@ -170,8 +170,6 @@ def _outcome(
         picture = unseen or "drawn"
         if folder is not None and not unseen:
             files.append(_draw(folder, name))
-    elif name in OPEN_FIGURES:
-        picture, title = "open", OPEN_FIGURES[name]
     return Outcome(name, title, numbers, picture, tuple(files))
 
 

@@ -160,9 +160,7 @@ def summary_text(outcomes: Sequence[Outcome], left_out: Sequence[str] = ()) -> s
     header = ["", *(verdict.value for verdict in Verdict), "picture", "what"]
     drawn = sum(item.picture == "drawn" for item in outcomes)
     words = ", ".join(f"{total[verdict]} {verdict.value}" for verdict in Verdict)
-    missing = sum(item.picture == "open" for item in outcomes)
     pictures = f"; {count(drawn, 'picture')} drawn" if drawn else ""
-    pictures += f", {missing} open" if drawn and missing else ""
     return "\n".join(
         [
             "Summary",

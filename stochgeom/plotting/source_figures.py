@@ -1,7 +1,8 @@
-"""The figures of Goldberg (1990) that are drawn here, by name, and those that are not yet.
+"""The figures of Goldberg (1990), drawn, by name.
 
 Drawings of the source did not survive in the copies at hand; parts are those of the catalogue, and
-where the source does not name a part one of them stands in.
+where the source does not name a part one of them stands in. The flow charts of Figs. 5.1 and 5.8
+are code, and Fig. 6.4 is a table of numbers.
 """
 
 from __future__ import annotations
@@ -271,9 +272,6 @@ _DRAWN: Final[tuple[tuple[str, str, Drawing], ...]] = (
     ("G.3", "Beta density, alpha = 16, 16", lambda: draw_beta_density(16, 16)),
     ("G.4", "Beta density, alpha = 4, 1", lambda: draw_beta_density(4, 1)),
 )  # fmt: skip
-
-OPEN_FIGURES: Final[Mapping[str, str]] = MappingProxyType({})
-"""Figures that are not drawn, and why. The flow charts of Figs. 5.1 and 5.8 are code."""
 
 SOURCE_FIGURES: Final[Mapping[str, SourceFigure]] = MappingProxyType(
     {f"fig{number}": SourceFigure(f"fig{number}", title, draw) for number, title, draw in _DRAWN}

@@ -16,7 +16,7 @@ from stochgeom.cli.reproduce_command import chosen_names, file_stem, left_out
 from stochgeom.cli.reproduce_files import ResultFolder
 from stochgeom.errors import UnknownReproductionError, WriteError
 from stochgeom.plotting import source_figures
-from stochgeom.plotting.source_figures import OPEN_FIGURES, SOURCE_FIGURES
+from stochgeom.plotting.source_figures import SOURCE_FIGURES
 from stochgeom.thesis.number_tables import ExactNumber, NumberTable, Verdict, verdict_of
 from stochgeom.thesis.random_parts import compared_parts, searched_parts
 from stochgeom.thesis.reproductions import REPRODUCTIONS, canonical_name
@@ -116,13 +116,12 @@ class TestNames:
 
     def test_everything_with_and_without_long_experiments(self):
         every = chosen_names([], every=True, long=False)
-        assert set(every) == {*QUICK, *SOURCE_FIGURES, *OPEN_FIGURES}
+        assert set(every) == {*QUICK, *SOURCE_FIGURES}
         longer = {*chosen_names([], every=True, long=True)} - {*every}
         assert longer == {"sec4.8", "sec5.9", "6.1", "secB.2"}
         assert {*chosen_names(["sec4.8"], every=True, long=False)} - {*every} == {"sec4.8"}
 
-    def test_a_figure_is_drawn_or_open_and_files_have_names_of_their_own(self):
-        assert not {*SOURCE_FIGURES} & {*OPEN_FIGURES}
+    def test_files_have_names_of_their_own(self):
         every = [*REPRODUCTIONS, *(name for name in SOURCE_FIGURES if name not in REPRODUCTIONS)]
         assert len({file_stem(name).lower() for name in every}) == len(every)
 
@@ -167,14 +166,16 @@ class TestOutput:
         assert main(["reproduce", "4.1"]) == 0
         assert "left out" not in capsys.readouterr().out
 
-    def test_a_document(self, capsys, monkeypatch):
-        monkeypatch.setattr(source_figures, "OPEN_FIGURES", {"fig4.7": "not drawn yet"})
-        assert main(["reproduce", "4.1", "fig4.7", "--json", "--digits", "2"]) == 0
+    def test_a_document(self, capsys):
+        assert main(["reproduce", "4.1", "fig4.3", "--json", "--digits", "2"]) == 0
         document = json.loads(capsys.readouterr().out)
         assert (document["reproduced"], document["explained"], document["open"]) == (30, 2, 0)
         table, figure = document["items"]
-        assert (figure["name"], figure["picture"], figure["numbers"]) == ("fig4.7", "open", None)
-        assert figure["title"] == "not drawn yet"
+        assert (figure["name"], figure["picture"], figure["numbers"]) == (
+            "fig4.3",
+            "needs -o",
+            None,
+        )
         wrong = [n for n in table["numbers"]["numbers"] if n["verdict"] == "explained"]
         assert [(n["row"], n["column"], n["computed"]) for n in wrong] == [
             ("4gon", "3-step", "10.57"),
@@ -214,23 +215,6 @@ class TestOutput:
             contents.append({p.name: p.read_bytes() for p in (tmp_path / name).iterdir()})
         assert contents[0] == contents[1]
         assert {"fig-5.7.svg", "fig-G.1.svg", "fig-G.1.csv"} <= {*contents[0]}
-
-    @pytest.mark.parametrize(
-        ("missing", "told"),
-        [({}, "; 1 picture drawn\n"), ({"fig4.7": "not yet"}, "; 1 picture drawn, 1 open\n")],
-    )
-    def test_open_figures_are_counted_if_there_are_any(
-        self, missing, told, tmp_path, capsys, monkeypatch
-    ):
-        pytest.importorskip("matplotlib")
-        monkeypatch.setattr(source_figures, "OPEN_FIGURES", missing)
-        every = {*chosen_names([], every=True, long=False)}
-        assert every == {*QUICK, *SOURCE_FIGURES, *missing}
-        assert main(["reproduce", "figA.1", *missing, "-o", str(tmp_path)]) == 0
-        assert capsys.readouterr().out.endswith(told)
-        assert entries(tmp_path) == ["fig-A.1.svg", "summary.json", "summary.txt"]
-        with pytest.raises(UnknownReproductionError, match=r"'fig4\.99'; accepted: fig1\.1"):
-            chosen_names(["fig4.99"], every=False, long=False)
 
     @pytest.mark.parametrize(
         ("name", "drawing", "friction"),
