@@ -104,7 +104,8 @@ def build_parser(called: str | None = None) -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=VERSION_TEXT)
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for name in [called] if called in _COMMANDS else _COMMANDS:
+    loaded = [called] if called in _COMMANDS else [] if called == "--version" else _COMMANDS
+    for name in loaded:
         _COMMANDS[name]().add_parser(commands)
     return parser
 

@@ -15,7 +15,6 @@ from stochgeom.errors import UnknownReproductionError
 from stochgeom.thesis.appendix_e import figure_e_5, figure_e_8
 from stochgeom.thesis.figures_4 import figure_4_5, figure_4_6
 from stochgeom.thesis.grasp_tables import table_3_1, table_c_1
-from stochgeom.thesis.reproductions import canonical_name, number_of
 from stochgeom.thesis.tables import STEPS, Cell, Row, table_4_1
 
 _TABLES = {"4.1": table_4_1}
@@ -26,6 +25,8 @@ _NUMBERS = sorted({*_TABLES, *_GRASP_TABLES, *_FIGURES, "7.2"})
 
 def _number(text: str) -> str:
     """Return a number as it stands in the source, from any spelling that `reproduce` knows."""
+    from stochgeom.thesis.reproductions import canonical_name, number_of
+
     number = number_of(canonical_name(text))
     if number not in _NUMBERS:
         raise UnknownReproductionError(
