@@ -18,6 +18,7 @@ from gmpy2 import mpq
 
 from stochgeom.arguments import as_count, expect
 from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
@@ -79,21 +80,32 @@ class Feeder:
 
     @property
     def accepted(self) -> Decimal:
-        """The probability that a part is let through, to three decimals."""
+        """The probability that a part is let through, to three decimals.
+
+        Of a plan for a gripper that errs it is a lower bound, and not rounded up.
+        """
         whole = self.period == FULL_TURN
         plan = self.plan
-        shares = plan.probability if whole else plan.probability_up_to_symmetry
-        return Decimal(shares.decimal(3))
+        share = plan.probability if whole else plan.probability_up_to_symmetry
+        nearest = Decimal(share.decimal(3))
+        if plan.gripper_error and share.compare(mpq(str(nearest))) < 0:
+            return nearest - Decimal("0.001")
+        return nearest
 
     @property
     def refused(self) -> Decimal:
-        """The probability that it is sent around again: rounded to nearest, they add up to one."""
+        """The probability that it is sent around again: the two add up to one."""
         return 1 - self.accepted
 
     @property
     def needs_filter(self) -> bool:
         """Whether a part may end in another orientation."""
-        return not all(map(self.accepts, self.plan.distribution().orientations))
+        return not all(map(self.accepts, self.outcome.orientations))
+
+    @property
+    def outcome(self) -> Hyperstate:
+        """What is possible after the last action."""
+        return self.plan.distribution().possible()
 
     @property
     def turned(self) -> float:
@@ -249,7 +261,7 @@ def _add_return(scene: Scene, feeder: Feeder, body: Silhouette, right: float) ->
     scene.add(*arrow((right, -_HALF - 0.5), (right, _RETURN + _HALF + 0.05), 0.3))
     scene.add(*arrow((0.6, _RETURN + _HALF), (0.6, -_HALF - 0.05), 0.3))
     y = _RETURN - _HALF - 0.55
-    state = feeder.plan.distribution()
+    state = feeder.outcome
     refused = [k for k in range(len(state)) if not feeder.accepts(state.orientations[k])]
     refused.sort(key=lambda k: (-float(state.probability(k)), k))
     again = f"sent around again: {_share(feeder.refused, feeder, '≤')}"

@@ -192,6 +192,29 @@ class TestTheFilter:
         assert "passes ≥ 0.500" in scene.labels()
         assert "sent around again: ≤ 0.500" in scene.labels()
 
+    def test_a_bound_is_not_rounded_up(self):
+        """A nearest decimal above the share would be no bound of it."""
+        plan = FeedingProblem(catalogue_part("house"), gripper_error="3").plan_of(1)
+        assert plan.probability.decimal(5) == "0.39758"
+        labels = feeder_scene(feeder(plan)).labels()
+        assert "passes ≥ 0.397" in labels
+        assert "sent around again: ≤ 0.603" in labels
+
+    def test_what_cannot_occur_is_not_sent_around_again(self):
+        prior = DiscretePrior.from_counts({"17": 1})
+        plan = plan_feeding(catalogue_part("house"), prior=prior)
+        assert len(plan.distribution()) > 1
+        scene = feeder_scene(feeder(plan))
+        assert not any("filter" in text or "again" in text for text in scene.labels())
+
+    def test_of_two_that_arrive_one_may_be_sent_around_again(self):
+        prior = DiscretePrior.from_counts({"17": 2, "197": 1})
+        plan = plan_feeding(catalogue_part("house"), prior=prior)
+        labels = feeder_scene(feeder(plan)).labels()
+        assert "passes 0.667" in labels
+        again = labels.index("sent around again: 0.333")
+        assert labels[again + 1 : again + 3] == ["in 1 orientation", "0.333"]
+
 
 class TestRandomOrientations:
     def test_uniform(self):
