@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
+from stochgeom.arguments import shown
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
 
 MOST_TURNS: Final = 10
+
+SMALLEST_DRAWN: Final = 1e-200
+LARGEST_DRAWN: Final = 1e200
+"""Sizes between which floats hold a number, and what a picture makes of it."""
+
+DRAWN_SIZES: Final = f"from {SMALLEST_DRAWN:g} to {LARGEST_DRAWN:g}"
 
 Orientation: TypeAlias = "Angle | RationalLike"
 """An angle, or degrees as an exact number or text."""
@@ -24,3 +32,38 @@ def as_angle(theta: Orientation) -> Angle:
     if isinstance(theta, Angle):
         return theta
     return Angle.from_turns(rational(theta, where="degrees") / 360)
+
+
+def is_drawn(number: Any) -> bool:
+    """Tell whether floats hold a positive number, and what a picture makes of it.
+
+    Examples
+    --------
+    >>> is_drawn(3), is_drawn(10**400)
+    (True, False)
+    """
+    try:
+        return SMALLEST_DRAWN < float(number) < LARGEST_DRAWN
+    except (OverflowError, NumberLimitError):
+        return False
+
+
+def as_drawn(number: Any, where: str) -> float:
+    """Return an exact number in floats, to be drawn.
+
+    Raises
+    ------
+    NumberLimitError
+        If floats do not hold it.
+
+    Examples
+    --------
+    >>> as_drawn(-3, "edge 1")
+    -3.0
+    """
+    if number and not is_drawn(abs(number)):
+        raise NumberLimitError(
+            f"{shown(number)} is no number to draw; accepted: 0, or sizes {DRAWN_SIZES}",
+            where=where,
+        )
+    return float(number)

@@ -8,10 +8,11 @@ and adds their probabilities.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import as_count, as_list
 from stochgeom.decision.priors import as_share, normalise
 from stochgeom.errors import InputError
 from stochgeom.exact.decimals import rational_decimal
@@ -43,7 +44,7 @@ def sensed_blocks_scene(prior: Sequence[RationalLike], likelihood: Sequence[Rati
     before = normalise(prior)
     chances = [
         as_share(value, where=f"likelihood {k}", what="likelihood")
-        for k, value in enumerate(likelihood)
+        for k, value in enumerate(as_list(likelihood, "a list of likelihoods", "likelihood"))
     ]
     if len(chances) != len(before):
         raise InputError(f"{len(chances)} likelihoods; accepted: {len(before)}, one for each place")
@@ -84,11 +85,16 @@ def scooped_blocks_scene(prior: Sequence[RationalLike], lands: Sequence[int]) ->
     ['1/4', '1/4', '0', '1/2']
     """
     before = normalise(prior)
+    lands = as_list(lands, "a list of places", "landing places")
     if len(lands) != len(before):
         raise InputError(f"{len(lands)} places to land in; accepted: {len(before)}")
     after = [mpq(0)] * len(before)
-    for k, (place, share) in enumerate(zip(lands, before, strict=True)):
-        after[_checked_place(place, len(before), k)] += share
+    lands = [
+        as_count(place, "as a place", least=0, most=len(before) - 1, where=f"landing place {k}")
+        for k, place in enumerate(lands)
+    ]
+    for place, share in zip(lands, before, strict=True):
+        after[place] += share
     touched = [k for k, place in enumerate(lands) if k != place]
     scene = Scene()
     _add_places(scene, 0.0, before)
@@ -101,15 +107,6 @@ def scooped_blocks_scene(prior: Sequence[RationalLike], lands: Sequence[int]) ->
     _add_arrow(scene, len(before), "close the gripper")
     _add_places(scene, right, after)
     return scene
-
-
-def _checked_place(place: Any, count: int, k: int) -> int:
-    if not (isinstance(place, int) and 0 <= place < count):
-        raise InputError(
-            f"place {place!r:.60}; accepted: whole numbers from 0 to {count - 1}",
-            where=f"landing place {k}",
-        )
-    return place
 
 
 def _add_hand(scene: Scene, left: float, right: float) -> None:

@@ -12,6 +12,7 @@ from typing import Final, final
 import numpy as np
 
 from stochgeom.arguments import as_count, expect
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.lifted import LiftedAngles
 from stochgeom.exact.shadows import shadow
@@ -19,8 +20,8 @@ from stochgeom.exact.vectors import AngleVector
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.geometry.diameter import DiameterFunction
 from stochgeom.geometry.radius import RadiusFunction
-from stochgeom.plotting.arguments import MOST_TURNS
-from stochgeom.plotting.silhouettes import FloatArray
+from stochgeom.plotting.arguments import DRAWN_SIZES, MOST_TURNS
+from stochgeom.plotting.silhouettes import FloatArray, size_is_drawn
 from stochgeom.transfer.step_function import StepFunction
 
 MOST_MARKED: Final = 40
@@ -90,6 +91,11 @@ class Wave:
 def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave:
     """Sample a diameter or radius function over whole turns, at its transitions as well.
 
+    Raises
+    ------
+    NumberLimitError
+        If floats do not hold the part.
+
     Examples
     --------
     >>> wave = wave_of(DiameterFunction([(0, 0), (3, 0), (3, 2), (0, 2)]))
@@ -97,6 +103,10 @@ def wave_of(function: DiameterFunction | RadiusFunction, turns: int = 1) -> Wave
     ([0.0, 90.0, 180.0, 270.0, 360.0], [2.0, 3.0, 2.0, 3.0, 2.0])
     """
     end = 360.0 * as_count(turns, "turns", most=MOST_TURNS)
+    if not size_is_drawn(function.part):
+        raise NumberLimitError(
+            f"floats do not hold the part; accepted: sizes {DRAWN_SIZES}, or Part.scale"
+        )
     x = np.linspace(0.0, end, 720 * turns + 1)
     own = 180.0 if isinstance(function, DiameterFunction) else 360.0
     corners = np.degrees(function.transitions.shadow)

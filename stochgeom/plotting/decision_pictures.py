@@ -20,6 +20,7 @@ from stochgeom.errors import InputError, SensorError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.exact.scalars import RationalLike, rational, rational_text
+from stochgeom.plotting.arguments import as_drawn
 from stochgeom.plotting.axes import axes_or_new, need_matplotlib
 from stochgeom.plotting.function_pictures import LETTERS, size_in_points
 from stochgeom.plotting.styles import INK, STYLES
@@ -31,7 +32,9 @@ if TYPE_CHECKING:
 MOST_RULES: Final = 8
 """More curves in one picture cannot be told apart."""
 
-_INCHES: Final = 1 / 80
+_LEAST_DEVIATION: Final = 1e-9
+"""Of the true value: floats do not tell the data of a smaller one apart."""
+
 _DASHES: Final = ("-", "--", ":", "-.", (0, (7, 2)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)),
                   (0, (3, 1)))  # fmt: skip
 _MARKERS: Final = "osD^vP*X"
@@ -67,7 +70,10 @@ def draw_sensor_density(
     Raises
     ------
     SensorError
-        If the true value is negative, the deviation is not positive, or edges do not increase.
+        If the true value is negative, the deviation is not positive or too small to be seen beside
+        it, or edges do not increase.
+    NumberLimitError
+        If floats do not hold a number.
 
     Examples
     --------
@@ -78,23 +84,30 @@ def draw_sensor_density(
     """
     center, spread, ends = _checked_density(true_value, sd, edges)
     ax = axes_or_new(ax, (5.6, 3.2))
-    d, s = float(center), float(spread)
+    d, s = as_drawn(center, "true value"), as_drawn(spread, "sd")
+    places = [as_drawn(edge, f"edge {k}") for k, edge in enumerate(ends, 1)]
+    if s < _LEAST_DEVIATION * d:
+        raise SensorError(
+            f"{s:g} beside a true value of {d:g} is too small to be seen; accepted: from "
+            f"{_LEAST_DEVIATION:g} of it on",
+            where="sd",
+        )
     low, high = d - 4 * s, d + 4 * s
     if ends:
-        margin = 0.12 * (float(ends[-1] - ends[0]) or s)
-        low, high = min(low, float(ends[0]) - margin), max(high, float(ends[-1]) + margin)
+        margin = 0.12 * (places[-1] - places[0] or s)
+        low, high = min(low, places[0] - margin), max(high, places[-1] + margin)
     x = np.union1d(np.linspace(low, high, 401), d + s * np.linspace(-4, 4, 201))
     y = np.exp(-(((x - d) / s) ** 2) / 2) / (s * np.sqrt(2 * np.pi))
     top = 1.3 * float(y.max())
     look = STYLES["curve"]
     ax.fill_between(x, y, color=STYLES["density"].fill, linewidth=0)
     ax.plot(x, y, color=look.stroke, linewidth=look.width)
-    ax.vlines([float(edge) for edge in ends], 0, top, colors=INK, linewidth=0.9)
+    ax.vlines(places, 0, top, colors=INK, linewidth=0.9)
     ax.axvline(d, color=STYLES["ghost"].stroke, linewidth=0.9, linestyle="--")
     ax.set(xlim=(low, high), ylim=(0.0, top), xlabel="data", ylabel="density")
     if ends:
         shares = _bin_decimals(center, spread, ends)
-        unnamed = _name_bins(ax, [low, *map(float, ends), high], shares)
+        unnamed = _name_bins(ax, [low, *places, high], shares)
         if unnamed:
             ax.set_xlabel(f"data ({unnamed} of {len(shares)} bins too narrow to be named)")
     title = f"true value {rational_text(center)}, standard deviation {rational_text(spread)}"
@@ -182,6 +195,8 @@ def draw_risks(
         If there are no rules, or more than 8.
     UnknownLabelError, ShapeMismatchError
         If a mapping does not fit the problem.
+    NumberLimitError
+        If floats do not hold a risk.
 
     Examples
     --------
@@ -198,6 +213,7 @@ def draw_risks(
     problem = expect(problem, DecisionProblem, "a DecisionProblem")
     chosen = _chosen_rules(problem, rules)
     risks = [problem.risk(rule) for rule in chosen]
+    curves = [[as_drawn(value, "risk") for value in risk] for risk in risks]
     least = min(max(risk) for risk in risks)
     heavy = [max(risk) == least and len(chosen) > 1 for risk in risks]
     letters = _LETTERS if ax is None else int((size_in_points(ax)[0] - 40) / (0.6 * LETTERS))
@@ -208,16 +224,16 @@ def draw_risks(
     rows = sum(text.count("\n") + 1 for text in texts)
     ax = axes_or_new(ax, (5.6, 3.6 + 0.17 * rows))
     places = range(len(problem.states))
-    for k, risk in enumerate(risks):
-        ax.plot(places, [float(r) for r in risk], label=texts[k],
+    for k, curve in enumerate(curves):
+        ax.plot(places, curve, label=texts[k],
                 color=INK if heavy[k] else STYLES["curve"].stroke,
                 linewidth=2.2 if heavy[k] else 1.2, linestyle=_DASHES[k], marker=_MARKERS[k],
                 markersize=5, clip_on=False)  # fmt: skip
-        ax.axhline(float(max(risk)), color=STYLES["rule"].stroke, linewidth=0.7, zorder=1)
+        ax.axhline(max(curve), color=STYLES["rule"].stroke, linewidth=0.7, zorder=1)
     ax.set_xticks(places, [str(state) for state in problem.states])
     if sum(len(str(state)) for state in problem.states) > 60:
         ax.tick_params("x", labelrotation=90)
-    ax.set_ylim(min(0.0, *(float(min(risk)) for risk in risks)), None)
+    ax.set_ylim(min(0.0, *map(min, curves)), None)
     ax.set(xlabel="state", ylabel="risk")
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.01), fontsize=LETTERS, frameon=False)
     return ax

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from gmpy2 import mpq
 
+from stochgeom.arguments import shown
+from stochgeom.errors import NumberLimitError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational_text
 from stochgeom.plotting.axes import axes_or_new
@@ -23,6 +25,9 @@ if TYPE_CHECKING:
 
 _EDGE: Final = 1 / 1000
 """The density may be infinite at 0 and 1; it is drawn from here on."""
+
+_LEAST, _MOST = mpq(1, 10**100), mpq(10**9)
+"""Of the parameters: beyond these the density in floats is off by more than a line's width."""
 
 _MOST_OF_A_POLE: Final = 6.0
 
@@ -51,6 +56,8 @@ def draw_beta_density(alpha_1: RationalLike, alpha_2: RationalLike, ax: Axes | N
     ------
     PriorError
         If a parameter is not positive.
+    NumberLimitError
+        If one is so small or large that floats do not hold the density.
 
     Examples
     --------
@@ -59,6 +66,10 @@ def draw_beta_density(alpha_1: RationalLike, alpha_2: RationalLike, ax: Axes | N
     'α₁ = 1/10, α₂ = 1/10: mean 0.500, variance 0.208'
     """
     beta = BetaDensity(alpha_1, alpha_2)
+    for alpha, name in ((beta.alpha_1, "alpha_1"), (beta.alpha_2, "alpha_2")):
+        if not _LEAST <= alpha <= _MOST:
+            accepted = f"accepted: {float(_LEAST):g} to {float(_MOST):g}"
+            raise NumberLimitError(f"{shown(alpha)} is too far off to draw; {accepted}", where=name)
     ax = axes_or_new(ax, (4.8, 3.0))
     low, high = _range(beta)
     edge = _EDGE * (high - low)

@@ -18,6 +18,7 @@ from stochgeom.exact.scalars import RationalLike, rational, rational_text
 from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.grasping.friction_bounds import GuaranteedBound
 from stochgeom.grasping.pushing_over_friction import PushingBound
+from stochgeom.plotting.arguments import as_drawn
 from stochgeom.plotting.axes import axes_or_new
 from stochgeom.plotting.function_pictures import LETTERS
 from stochgeom.plotting.styles import INK, STYLES
@@ -67,6 +68,7 @@ def draw_friction_bounds(
     most = rational(largest, where="largest")
     if most <= 0:
         raise FrictionError(f"{rational_text(most)}; accepted: positive numbers", where="largest")
+    as_drawn(most, "largest")
     ax = axes_or_new(ax, (5.6, 3.6))
     part = as_part(part)
     look, name = STYLES["curve"], "sure, whatever the push"

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from stochgeom.feeding.preimages import Preimage
 from stochgeom.geometry.diameter import DiameterFunction
+from stochgeom.geometry.part import Part
 from stochgeom.geometry.radius import RadiusFunction
 from stochgeom.plotting.curves import Bar, bars_of, steps_of, turns_for, wave_of
 from stochgeom.plotting.graph import (
@@ -21,6 +22,7 @@ from stochgeom.plotting.graph import (
     wave_limits,
 )
 from stochgeom.plotting.scene import Scene
+from stochgeom.plotting.silhouettes import size_is_drawn
 from stochgeom.transfer.step_function import StepFunction
 
 _GAP = 3.7 * TEXT
@@ -69,6 +71,22 @@ def analysis_scene(
     if wave is not None:
         _wave_panel(scene, wave, bottom, (width, 130.0), turns)
     return scene
+
+
+def function_behind(part: Part | None, action: str) -> DiameterFunction | RadiusFunction | None:
+    """Return the function of a part that an action follows; None if there is none to draw.
+
+    Examples
+    --------
+    >>> triangle = Part([(0, 0), (4, 0), (0, 3)])
+    >>> type(function_behind(triangle, "push-grasp")).__name__
+    'RadiusFunction'
+    """
+    if part is None or not size_is_drawn(part):
+        return None
+    if action == "squeeze":
+        return DiameterFunction(part)
+    return RadiusFunction(part) if action == "push-grasp" else None
 
 
 def _step_panel(

@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Final
 
-from stochgeom.errors import InputError, NumberLimitError
-from stochgeom.exact.surds import scalar_to_float
-from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.radius import RadiusFunction
+from stochgeom.errors import InputError
 from stochgeom.io.embedded import CERTIFICATE, PLAN, data_block
 from stochgeom.io.plan_json import plan_json
 from stochgeom.plotting.animation_stage import (
@@ -16,7 +13,7 @@ from stochgeom.plotting.animation_stage import (
     panel,
     still,
 )
-from stochgeom.plotting.function_scenes import analysis_scene
+from stochgeom.plotting.function_scenes import analysis_scene, function_behind
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.report_pictures import distribution_scene, tolerance_scene
 from stochgeom.plotting.report_subject import Subject, shown_rows
@@ -49,9 +46,6 @@ MOST_PICTURED: Final = 12
 
 MOST_DRAWN: Final = 1000
 """Orientations of a distribution, and steps of a function, that a picture shows."""
-
-DRAWABLE: Final = (1e-200, 1e200)
-"""Widths of parts between which floats hold their diameters."""
 
 MOST_CERTIFIED: Final = 1000
 """Vertices of a part whose certificate a page carries; it may grow with their square."""
@@ -162,7 +156,7 @@ def functions_section(subject: Subject) -> Iterator[str]:
     """Yield the functions behind the plan, and its preimages."""
     plan = subject.plan
     action = text_of(subject.action)
-    wave = _wave(plan)
+    wave = function_behind(plan.part, plan.action_name)
     words = f"The {action} function takes an orientation to the one after {_an(action)} at angle 0."
     if plan.part is not None and subject.action == "squeeze":
         words += (
@@ -189,21 +183,6 @@ def functions_section(subject: Subject) -> Iterator[str]:
         "A graph of the part's diameter or radius, under it the step function with its fixed "
         "diagonal, under that the preimages as bars. The exact numbers are given below.",
     )
-
-
-def _wave(plan: FeedingPlan) -> DiameterFunction | RadiusFunction | None:
-    """Return the function of the part that the action follows, if floats can draw it."""
-    part = plan.part
-    if part is None or plan.action_name not in ("squeeze", "push-grasp"):
-        return None
-    xs = [x for x, _ in part.hull.points.pairs()]
-    try:
-        drawable = DRAWABLE[0] < scalar_to_float(max(xs) - min(xs)) < DRAWABLE[1]
-    except (OverflowError, NumberLimitError):
-        drawable = False
-    if not drawable:
-        return None
-    return DiameterFunction(part) if plan.action_name == "squeeze" else RadiusFunction(part)
 
 
 def _an(noun: str) -> str:

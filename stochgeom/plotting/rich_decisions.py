@@ -10,7 +10,7 @@ from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.plotting.hyperstate_trees import open_loop_scene
 from stochgeom.plotting.part_scenes import part_scene
-from stochgeom.plotting.rich_html import MOST_ROWS, table_html
+from stochgeom.plotting.rich_html import MOST_ROWS, counted, table_html
 from stochgeom.plotting.svg import svg_document, text_of
 from stochgeom.plotting.tree_scenes import tree_scene
 from stochgeom.sensing.recognition import RecognitionProblem
@@ -29,7 +29,7 @@ def planning_problem_html(problem: PlanningProblem) -> str:
     """Return what each action makes of the prior as a picture, over the prior as a table."""
     states, actions = len(problem.states), len(problem.actions)
     name = problem.name or "planning problem"
-    summary = f"{name}: {_counted(states, 'state')}, {_counted(actions, 'action')}"
+    summary = f"{name}: {counted(states, 'state')}, {counted(actions, 'action')}"
     if problem.cost is not None:
         summary += f", {problem.cost.describe()}"
     picture = ""
@@ -47,9 +47,9 @@ def planning_problem_html(problem: PlanningProblem) -> str:
 def decision_problem_html(problem: DecisionProblem) -> str:
     """Return the likelihoods and the losses as one table, a row for each state."""
     counts = (
-        _counted(len(problem.states), "state"),
-        _counted(len(problem.readings), "reading"),
-        _counted(len(problem.actions), "action"),
+        counted(len(problem.states), "state"),
+        counted(len(problem.readings), "reading"),
+        counted(len(problem.actions), "action"),
     )
     readings, actions = problem.readings[:_MOST_COLUMNS], problem.actions[:_MOST_COLUMNS]
     header = [
@@ -81,7 +81,7 @@ def sensing_problem_html(problem: SensingProblem) -> str:
 def recognition_problem_html(problem: RecognitionProblem) -> str:
     """Return the parts with their orientations and what the sensor reads in them."""
     found = problem.problem
-    summary = f"{_counted(len(problem.names), 'part')}: {_told(found, problem.sensor)}"
+    summary = f"{counted(len(problem.names), 'part')}: {_told(found, problem.sensor)}"
     names = [[_short(part), f"{theta}°"] for part, theta in found.states]
     table = _sensor_table(["part", "orientation"], names, found, problem.sensor)
     return f"<p>{text_of(summary)}</p>\n{table}"
@@ -89,9 +89,9 @@ def recognition_problem_html(problem: RecognitionProblem) -> str:
 
 def _told(problem: PlanningProblem, sensor: Sensor) -> str:
     return (
-        f"{_counted(len(problem.states), 'orientation')}, "
-        f"{_counted(len(problem.actions), 'squeeze')}, "
-        f"a sensor of {_counted(len(sensor.readings), 'reading')}"
+        f"{counted(len(problem.states), 'orientation')}, "
+        f"{counted(len(problem.actions), 'squeeze')}, "
+        f"a sensor of {counted(len(sensor.readings), 'reading')}"
     )
 
 
@@ -118,10 +118,6 @@ def sensor_plan_html(plan: SensorPlan) -> str:
         return f"<p>{text_of(f'{summary}; {plan.tree!r}')}</p>"
     picture = svg_document(tree_scene(plan.tree), title=summary, scale=1.0)
     return f"<p>{text_of(summary)}</p>\n{picture}"
-
-
-def _counted(count: int, what: str) -> str:
-    return f"{count} {what}{'s' if count != 1 else ''}"
 
 
 def _short(label: Any) -> str:

@@ -34,7 +34,8 @@ from stochgeom.plotting.rich_decisions import (
     sensing_problem_html,
     sensor_plan_html,
 )
-from stochgeom.plotting.rich_html import MOST_PREIMAGES, plan_html, problem_html
+from stochgeom.plotting.rich_html import MOST_PREIMAGES, counted, plan_html, problem_html
+from stochgeom.plotting.silhouettes import size_is_drawn
 from stochgeom.plotting.stability_scenes import (
     cells_scene,
     grasp_diagram_scene,
@@ -68,8 +69,10 @@ def step_function_svg(transfer: StepFunction) -> str:
     )
 
 
-def wave_svg(function: DiameterFunction | RadiusFunction) -> str:
-    """Return the graph of a diameter or radius function over a full turn."""
+def wave_svg(function: DiameterFunction | RadiusFunction) -> str | None:
+    """Return the graph of a diameter or radius function over a full turn, if floats hold it."""
+    if not size_is_drawn(function.part):
+        return None
     kind = "diameter" if isinstance(function, DiameterFunction) else "radius"
     name = function.part.name or "a part"
     return svg_document(wave_scene(function), title=f"{kind} function of {name}", scale=1.0)
@@ -82,9 +85,10 @@ def preimages_svg(chain: Preimages) -> str:
 
 def hyperstate_svg(state: Hyperstate) -> str:
     """Return the distribution as bars over a full turn."""
+    state = state.possible()
     return svg_document(
         distribution_scene(state),
-        title=f"a distribution over {len(state)} orientations",
+        title=f"a distribution over {counted(len(state), 'orientation')}",
         description=", ".join(
             f"{theta.degrees(2)} degrees: {share}"
             for theta, share in list(zip(state.orientations, state.probabilities(), strict=True))[

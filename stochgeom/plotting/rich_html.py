@@ -8,9 +8,7 @@ from typing import Final
 
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
-from stochgeom.geometry.diameter import DiameterFunction
-from stochgeom.geometry.radius import RadiusFunction
-from stochgeom.plotting.function_scenes import analysis_scene
+from stochgeom.plotting.function_scenes import analysis_scene, function_behind
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.scene import shown_degrees
 from stochgeom.plotting.svg import svg_document, text_of
@@ -59,14 +57,10 @@ def problem_html(problem: FeedingProblem) -> str:
     """Return a problem's functions and preimages over a table of what each plan length catches."""
     name = problem.part.name if problem.part is not None and problem.part.name else "part"
     period = problem.transfer.period
-    count = len(problem.transfer)
-    steps = f"{count} step{'s' if count != 1 else ''}"
+    steps = counted(len(problem.transfer), "step")
     summary = f"{name}, {problem.action}: {steps} in a period of {period}"
     chain = list(islice(problem.preimages, MOST_PREIMAGES))
-    wave: DiameterFunction | RadiusFunction | None = None
-    if problem.part is not None:
-        pushes = problem.action == "push-grasp"
-        wave = RadiusFunction(problem.part) if pushes else DiameterFunction(problem.part)
+    wave = function_behind(problem.part, problem.action)
     scene = analysis_scene(problem.transfer, chain, wave, name=problem.action, width=460.0)
     rows = []
     for preimage in chain[:MOST_ROWS]:
@@ -78,6 +72,17 @@ def problem_html(problem: FeedingProblem) -> str:
     header = ["actions", "width of the preimage", "probability"]
     picture = svg_document(scene, title=summary, scale=1.0)
     return f"<p>{text_of(summary)}</p>\n{picture}\n{table_html(header, rows)}"
+
+
+def counted(count: int, what: str) -> str:
+    """Return a number of things in words.
+
+    Examples
+    --------
+    >>> counted(1, "step"), counted(2, "step")
+    ('1 step', '2 steps')
+    """
+    return f"{count} {what}{'s' if count != 1 else ''}"
 
 
 def table_html(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

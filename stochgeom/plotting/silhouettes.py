@@ -18,6 +18,7 @@ from stochgeom.exact.algebraic import is_algebraic
 from stochgeom.exact.surds import Scalar, scalar_to_float
 from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.geometry.points import Point, Points
+from stochgeom.plotting.arguments import is_drawn
 from stochgeom.plotting.scene import XY
 
 FloatArray = NDArray[np.float64]
@@ -118,6 +119,17 @@ def silhouette(part: PartLike, most: int = MOST_DRAWN) -> Silhouette:
         (float(mass[0]), float(mass[1])),
         part.name or "part",
     )
+
+
+def size_is_drawn(part: PartLike) -> bool:
+    """Tell whether floats hold the sizes of a part, so that functions of it can be drawn.
+
+    Examples
+    --------
+    >>> size_is_drawn([(0, 0), (3, 0), (0, 2)]), size_is_drawn([(0, 0), (3, 0), (0, 10**400)])
+    (True, False)
+    """
+    return is_drawn(_box(as_part(part).hull.points)[1])
 
 
 def _box(points: Points) -> tuple[Point, Scalar]:

@@ -19,6 +19,7 @@ from stochgeom.errors import (
     InvalidPartError,
     MissingExtraError,
     NodeLimitError,
+    NumberLimitError,
     PriorError,
     RecordingError,
     SensorError,
@@ -40,6 +41,12 @@ COIN = sg.PlanningProblem.from_matrices(
 )
 EYE = sg.Sensor.perfect(["0", "1"])
 TILTS = sg.figure_6_4_model()
+
+
+def loss_of(number):
+    """Return a problem in which something is lost."""
+    return sg.DecisionProblem(["good"], ["pass"], ["keep"], [[1]], [[number]])
+
 
 DRAWINGS = {
     "draw_all_plans": lambda ax: sg.draw_all_plans(sg.all_sensor_plans(COIN, EYE, 1), ax),
@@ -401,7 +408,10 @@ class TestOnAxes:
                 InputError,
                 "11 turns; accepted: whole numbers from 1 to 10",
             ),
-            (lambda: sg.draw_scooped_blocks([1, 1], ["a", 0]), InputError, "place 'a'"),
+            (lambda: sg.draw_scooped_blocks([1, 1], ["a", 0]), InputError, "'a' as a place"),
+            (lambda: sg.draw_scooped_blocks([1, 1], [True, 0]), InputError, "True as a place"),
+            (lambda: sg.draw_scooped_blocks([1, 1], None), InputError, "a list of places"),
+            (lambda: sg.draw_sensed_blocks([1, 1], None), InputError, "a list of likelihoods"),
             (lambda: sg.save_figure(RECTANGLE, "a.png"), InputError, "no picture"),
             (lambda: sg.draw_part("house"), InvalidPartError, "is text"),
             (lambda: sg.draw_part([(0, 0), (1, 1)]), InvalidPartError, "accepted"),
@@ -472,6 +482,29 @@ class TestOnAxes:
     def test_bad_input(self, call, error, message):
         with pytest.raises(error, match=message):
             call()
+
+    @pytest.mark.parametrize(
+        ("call", "message"),
+        [
+            (lambda n: sg.draw_diameter([(0, 0), (n, 0), (0, n)]), "Part.scale"),
+            (lambda n: sg.draw_radius([(0, 0), (n, 0), (0, n)]), "Part.scale"),
+            (lambda n: sg.draw_beta_density(n, 1), "alpha_1"),
+            (lambda n: sg.draw_beta_density(1, n), "alpha_2"),
+            (lambda n: sg.draw_friction_bounds(RECTANGLE, largest=n), "largest"),
+            (lambda n: sg.draw_sensor_density(n, 1), "true value"),
+            (lambda n: sg.draw_sensor_density(1, n), "sd"),
+            (lambda n: sg.draw_sensor_density(1, 1, [n, 10**500]), "edge 1"),
+            (lambda n: sg.draw_risks(loss_of(n)), "risk"),
+        ],
+    )
+    @pytest.mark.parametrize("number", [10**400, "1e-400"])
+    def test_numbers_that_floats_do_not_hold_are_refused(self, call, message, number):
+        with pytest.raises(NumberLimitError, match=message):
+            call(number)
+
+    def test_a_deviation_too_small_to_be_seen_beside_its_value_is_refused(self):
+        with pytest.raises(SensorError, match=r"sd: 1e-30 beside .* accepted"):
+            sg.draw_sensor_density(1, "1e-30")
 
     @pytest.mark.parametrize("name", ["picture.bmp", "picture", "picture.svg.gz"])
     def test_other_endings_are_refused(self, name, tmp_path):

@@ -45,6 +45,7 @@ PLANS = {
         sg.Part([(0, 0), (9, 0), (9, 7), (0, 7)], holes=[[(1, 1), (2, 1), (1, 2)]])
     ),
     "huge": lambda: sg.plan_feeding([(0, 0), (10**400, 0), (10**400, 7), (5, 10**399)]),
+    "high": lambda: sg.plan_feeding([(0, 0), (1, 0), (1, 10**400), (0, 10**399)]),
     "tiny": lambda: sg.plan_feeding([("0", "0"), ("1e-400", "0"), ("0", "2e-400")]),
     "no part": lambda: sg.plan_transfer(HALF_OPEN),
 }

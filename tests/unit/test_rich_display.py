@@ -227,6 +227,26 @@ def test_coordinates_beyond_floats_are_shown():
     assert len(parsed(part._repr_svg_())) > 3
 
 
+@pytest.mark.parametrize("size", [10**400, "1e-400"])
+@pytest.mark.parametrize("action", ["squeeze", "push-grasp"])
+def test_problems_of_such_parts_are_shown_without_their_waves(size, action):
+    problem = sg.FeedingProblem([(0, 0), (size, 0), (0, size)], action)
+    shown = problem._repr_html_()
+    assert "preimage" in shown
+    assert "diameter" not in shown
+    assert "radius" not in shown
+    assert sg.DiameterFunction(problem.part)._repr_svg_() is None
+    assert sg.RadiusFunction(problem.part)._repr_svg_() is None
+
+
+def test_what_cannot_occur_is_not_counted():
+    half = sg.Angle.from_degrees(180)
+    state = sg.Hyperstate((sg.ZERO, half), (half, half), (sg.AngleSum(1), sg.AngleSum(0)))
+    shown = state._repr_svg_()
+    assert "a distribution over 1 orientation<" in shown
+    assert "180.00 degrees" not in shown
+
+
 class TestTheRegistry:
     @pytest.fixture(autouse=True)
     def _own_sources(self, monkeypatch):

@@ -565,7 +565,11 @@ class TestBlocks:
             (lambda: sensed_blocks_scene([1, 1], [-1, 1]), PriorError, "likelihood 0"),
             (lambda: sensed_blocks_scene([0, 0], [1, 1]), PriorError, "positive sum"),
             (lambda: scooped_blocks_scene([1, 1], [0]), InputError, "accepted: 2"),
-            (lambda: scooped_blocks_scene([1, 1], [0, 2]), InputError, "landing place 1: place 2"),
+            (
+                lambda: scooped_blocks_scene([1, 1], [0, 2]),
+                InputError,
+                "landing place 1: 2 as a place",
+            ),
         ],
     )
     def test_bad_input(self, call, error, message):
