@@ -16,7 +16,7 @@ from stochgeom.errors import NodeLimitError
 from stochgeom.exact.quotients import number_decimal, quotient
 from stochgeom.plotting.graph import TEXT
 from stochgeom.plotting.hyperstate_trees import BOX, HALF, add_hyperstate, short_label
-from stochgeom.plotting.scene import GLYPH_WIDTH, Label, Line, Scene
+from stochgeom.plotting.scene import Label, Line, Scene, text_width
 from stochgeom.plotting.tree_scenes import arc_across
 from stochgeom.sensing.and_or_tree import AndOrTree, Choice, Move
 from stochgeom.sensing.tree_nodes import mass_of, posterior_of
@@ -50,10 +50,6 @@ class _Placed:
         for bundle in self.bundles:
             for child in bundle:
                 yield from child.below()
-
-
-def _width(text: str) -> float:
-    return GLYPH_WIDTH * 1.08 * TEXT * len(text)
 
 
 def and_or_scene(tree: AndOrTree, digits: int = 4) -> Scene:
@@ -134,7 +130,8 @@ def _columns(root: _Placed) -> _Columns:
     nodes = list(root.below())
     columns = _Columns([0.0], [0.0])
     for level in range(max(placed.depth for placed in nodes)):
-        texts = max(_width(placed.edge) for placed in nodes if placed.depth == level + 1)
+        edges = [placed.edge for placed in nodes if placed.depth == level + 1]
+        texts = max(text_width(edge, TEXT, bold=True) for edge in edges)
         columns.bends.append(columns.boxes[-1] + BOX + _GAP)
         columns.boxes.append(columns.bends[-1] + texts + 12)
     return columns

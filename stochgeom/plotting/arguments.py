@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Final, TypeAlias
 
-from stochgeom.arguments import shown
-from stochgeom.errors import NumberLimitError
+from stochgeom.arguments import expect, shown
+from stochgeom.errors import InputError, NumberLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
+from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.geometry.part import Part
 
 MOST_TURNS: Final = 10
 
@@ -67,3 +69,17 @@ def as_drawn(number: Any, where: str) -> float:
             where=where,
         )
     return float(number)
+
+
+def part_of(plan: FeedingPlan) -> Part:
+    """Return the part of a plan.
+
+    Raises
+    ------
+    InputError
+        If this is no plan, or one for a transfer function without a part.
+    """
+    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
+    if plan.part is None:
+        raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
+    return plan.part

@@ -31,6 +31,10 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
     "png": {"Software": None},
     "pdf": {"CreationDate": None, "Creator": "stochgeom", "Producer": None},
 }
+
+PIXEL: Final = 1 / 80
+"""Inches of a unit of scenes that are drawn in pixels."""
+
 _LARGEST_INCHES: Final = 40.0
 
 _SMALLEST_LETTERS: Final = 2.5

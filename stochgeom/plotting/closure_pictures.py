@@ -11,14 +11,12 @@ from typing import TYPE_CHECKING
 from stochgeom.exact.arcs import Arc
 from stochgeom.feeding.closures import closure_of
 from stochgeom.feeding.plans import FeedingPlan
-from stochgeom.plotting.axes import draw_scene, need_matplotlib
+from stochgeom.plotting.axes import PIXEL, draw_scene, need_matplotlib
 from stochgeom.plotting.closure_scenes import closure_scene
 from stochgeom.plotting.monotone_scenes import monotone_step_scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-_INCHES = 1 / 80
 
 
 def draw_closure(
@@ -53,7 +51,7 @@ def draw_closure(
     ['2 squeezes bring Θa and Θc', 'to 180.00°, Θb as well']
     """
     need_matplotlib()
-    return draw_scene(closure_scene(plan, closure_of(plan, arcs)), ax, inches=_INCHES)
+    return draw_scene(closure_scene(plan, closure_of(plan, arcs)), ax, inches=PIXEL)
 
 
 def draw_monotone_step(
@@ -95,4 +93,4 @@ def draw_monotone_step(
     """
     need_matplotlib()
     scene = monotone_step_scene(plan, closure_of(plan, arcs), step)
-    return draw_scene(scene, ax, inches=_INCHES)
+    return draw_scene(scene, ax, inches=PIXEL)

@@ -17,7 +17,15 @@ from stochgeom.exact.arcs import Arc
 from stochgeom.exact.shadows import TWO_PI, shadow
 from stochgeom.plotting.bar_numbers import Room, bar_half, has_line, numbers_over_bars
 from stochgeom.plotting.curves import in_degrees
-from stochgeom.plotting.scene import GLYPH_WIDTH, Label, Line, Polygon, Scene, rectangle
+from stochgeom.plotting.scene import (
+    GLYPH_WIDTH,
+    Label,
+    Line,
+    Polygon,
+    Scene,
+    rectangle,
+    shortened,
+)
 
 BINS: Final = 120
 """Into so many arcs of 3 degrees a prior is divided to be drawn."""
@@ -162,7 +170,7 @@ def fitted(text: str, size: float, width: float) -> tuple[str, float]:
     """
     size = max(0.7 * size, min(size, width / (GLYPH_WIDTH * len(text))))
     most = int(width / (GLYPH_WIDTH * size) + 1e-9)
-    return (text if len(text) <= most else text[: max(most - 1, 1)] + "…"), size
+    return shortened(text, max(most, 2)), size
 
 
 def _stairs(strip: Strip, heights: Sequence[float]) -> tuple[tuple[float, float], ...]:

@@ -16,7 +16,7 @@ from typing import Any, Final, final
 import numpy as np
 from gmpy2 import mpq
 
-from stochgeom.arguments import as_count, expect
+from stochgeom.arguments import as_count
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.decision.priors import Prior
@@ -24,6 +24,7 @@ from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.plotting.arguments import part_of
 from stochgeom.plotting.distributions import BINS, bin_masses, fitted
 from stochgeom.plotting.grasps import Pose, part_shapes, pose_shapes
 from stochgeom.plotting.scene import (
@@ -36,7 +37,7 @@ from stochgeom.plotting.scene import (
     rectangle,
     shown_degrees,
 )
-from stochgeom.plotting.silhouettes import Silhouette, silhouette
+from stochgeom.plotting.silhouettes import FEW_DRAWN, Silhouette, silhouette
 
 MOST_PARTS: Final = 12
 MOST_STATIONS: Final = 8
@@ -52,7 +53,6 @@ _LEAST_BELT: Final = 4.8
 _RETURN: Final = -4.0
 _SIZE: Final = 0.46
 _LEAVING: Final = 3
-_MOST_CORNERS: Final = 150
 
 
 @final
@@ -121,9 +121,7 @@ def feeder_of(plan: FeedingPlan, parts: int, seed: int, *, up_to_symmetry: bool)
     InputError
         If the plan is for a transfer function without a part, or a number is out of range.
     """
-    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
-    if plan.part is None:
-        raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
+    part_of(plan)
     count = as_count(parts, "parts on the belt", most=MOST_PARTS) + len(stations_of(plan)) + 1
     random = np.random.default_rng(_as_seed(seed))
     thetas = tuple(random_orientations(plan.prior, count, random))
@@ -175,8 +173,7 @@ def random_orientations(
 def feeder_scene(feeder: Feeder) -> Scene:
     """Return the feeder: both belts, the grippers, the filter if one is needed."""
     plan = feeder.plan
-    assert plan.part is not None
-    body = silhouette(plan.part, _MOST_CORNERS)
+    body = silhouette(part_of(plan), FEW_DRAWN)
     stations, scene = stations_of(plan), Scene()
     waiting = len(feeder.thetas) - len(stations) - 1
     first = max(waiting * _SPACE, _LEAST_BELT)

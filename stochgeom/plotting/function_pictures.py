@@ -31,8 +31,8 @@ from stochgeom.plotting.curves import (
     wave_of,
 )
 from stochgeom.plotting.distributions import bars_of_state
-from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks, wave_limits
-from stochgeom.plotting.scene import MINUS
+from stochgeom.plotting.graph import degree_ticks, step_limits, value_ticks
+from stochgeom.plotting.scene import shown_degrees
 from stochgeom.plotting.styles import INK, STYLES
 from stochgeom.transfer.step_function import StepFunction
 
@@ -101,7 +101,7 @@ def _draw_wave(wave: Wave, turns: int, name: str, ax: Axes | None) -> Axes:
     if wave.marked:
         ax.plot(wave.minima, wave.at_minima, label="minima: stable", **_dots(filled=True))
         ax.plot(wave.maxima, wave.at_maxima, label="maxima", **_dots(filled=False))
-    ax.set_ylim(*wave_limits(wave))
+    ax.set_ylim(*wave.limits)
     if wave.limits[0]:  # whole numbers at the ticks, no sum of one and the rest
         ax.ticklabel_format(axis="y", useOffset=False)
     ax.set_ylabel(name)
@@ -132,9 +132,9 @@ def _degrees(ax: Axes, turns: int, *, values: Sequence[float] = ()) -> None:
     end = 360.0 * turns
     ax.set_xlim(0.0, end)
     ticks = degree_ticks(end, most=max(3, min(9, int(size_in_points(ax)[0] / (4.5 * LETTERS)))))
-    ax.set_xticks(ticks, [_shown(tick) for tick in ticks])
+    ax.set_xticks(ticks, [shown_degrees(f"{tick:g}") for tick in ticks])
     if values:
-        ax.set_yticks(list(values), [_shown(tick) for tick in values])
+        ax.set_yticks(list(values), [shown_degrees(f"{tick:g}") for tick in values])
     ax.grid(color=STYLES["grid"].stroke, linewidth=0.6)
     ax.set_axisbelow(True)
 
@@ -143,10 +143,6 @@ def size_in_points(ax: Axes) -> tuple[float, float]:
     """Return width and height of axes, as they are now, in points."""
     box, dpi = ax.get_window_extent(), ax.get_figure(root=True).dpi  # type: ignore[union-attr]
     return float(box.width * 72.0 / dpi), float(box.height * 72.0 / dpi)
-
-
-def _shown(degrees: float) -> str:
-    return f"{degrees:g}°".replace("-", MINUS)
 
 
 def draw_step_function(

@@ -19,7 +19,6 @@ from stochgeom.plotting.graph import (
     round_ticks,
     step_limits,
     value_ticks,
-    wave_limits,
 )
 from stochgeom.plotting.scene import Scene
 from stochgeom.plotting.silhouettes import size_is_drawn
@@ -119,7 +118,7 @@ def _wave_panel(
     turns: int,
 ) -> None:
     wave = wave_of(function, turns)
-    panel = Panel(0.0, bottom, *size, (0.0, 360.0 * turns), wave_limits(wave))
+    panel = Panel(0.0, bottom, *size, (0.0, 360.0 * turns), wave.limits)
     name = "diameter function" if isinstance(function, DiameterFunction) else "radius function"
     panel.frame(
         scene,

@@ -123,11 +123,6 @@ def step_limits(steps: Steps) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-def wave_limits(wave: Wave) -> tuple[float, float]:
-    """Return a range that shows all values, from 0 unless they hardly vary."""
-    return wave.limits
-
-
 # --- what stands in a panel ----------------------------------------------------------------------
 
 
@@ -166,11 +161,24 @@ def add_steps(scene: Scene, panel: Panel, steps: Steps) -> None:
         scene.add(Line(tuple(panel.at(x, y) for x, y in _stairs(steps, int(panel.width))), "step"))
         return
     rows = list(zip(steps.starts, steps.ends, steps.values, strict=True))
+    add_marked_steps(scene, panel, rows, cut_at_start=steps.cut_at_start)
+
+
+def add_marked_steps(
+    scene: Scene, panel: Panel, rows: Sequence[tuple[float, float, float]], *, cut_at_start: bool
+) -> None:
+    """Draw steps of (start, end, value), their ends marked but for those that the range cuts off.
+
+    Parameters
+    ----------
+    cut_at_start : bool
+        Whether the first step begins before the range; the last one ends where the range does.
+    """
     for (_, x, y), (_, _, z) in pairwise(rows):
         scene.add(Line((panel.at(x, y), panel.at(x, z)), "jump"))
     scene.add(*(Line((panel.at(a, y), panel.at(b, y)), "step") for a, b, y in rows))
     scene.add(*(Disc(panel.at(b, y), 2.6, "hollow") for _, b, y in rows[:-1]))
-    kept = rows[1:] if steps.cut_at_start else rows
+    kept = rows[1:] if cut_at_start else rows
     scene.add(*(Disc(panel.at(a, y), 2.6, "closed") for a, _, y in kept))
 
 

@@ -25,14 +25,13 @@ from stochgeom.plotting.grasps import (
     pose_shapes,
 )
 from stochgeom.plotting.scene import Label, Line, Polygon, Scene, arrow, points_of, shown_degrees
-from stochgeom.plotting.silhouettes import silhouette
+from stochgeom.plotting.silhouettes import FEW_DRAWN, silhouette
 from stochgeom.transfer.squeeze import squeeze_function
 
 CELL: Final = 2 * REACH + 0.35
 MOST_GRASPS: Final = 12
 _PER_ROW: Final = 6
 _SIZE: Final = 0.3
-_MOST_CORNERS: Final = 150
 
 
 def contact_word(part: Part, theta: Angle) -> str:
@@ -78,7 +77,7 @@ def stable_scene(part: Part, most: int = MOST_GRASPS) -> Scene:
     """
     as_count(most, "grasps")
     grasps = sorted(stable_grasps(part), key=lambda grasp: (grasp.stability, grasp.orientation))
-    best, body, scene = most_stable_grasps(part), silhouette(part, _MOST_CORNERS), Scene()
+    best, body, scene = most_stable_grasps(part), silhouette(part, FEW_DRAWN), Scene()
     shown = grasps[-most:]
     for k, grasp in enumerate(shown):
         row, column = divmod(k, _PER_ROW)
@@ -129,7 +128,7 @@ def error_scene(part: Part, theta: Angle, error: GripperError, *, most: int = MO
     orientation that it may end in; of more than ``most`` so many, from the first to the last.
     """
     delta = as_gripper_error(error)
-    body, scene = silhouette(part, _MOST_CORNERS), Scene()
+    body, scene = silhouette(part, FEW_DRAWN), Scene()
     before = Pose(body, shadow(theta), closed=False)
     scene.add(*jaw_shapes(before), *part_shapes(before.turned, style="faint"))
     for end in (theta - delta, theta + delta):

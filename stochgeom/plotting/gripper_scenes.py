@@ -33,7 +33,7 @@ from stochgeom.plotting.scene import (
     rectangle,
     shown_degrees,
 )
-from stochgeom.plotting.silhouettes import Silhouette, rotation, silhouette
+from stochgeom.plotting.silhouettes import FEW_DRAWN, Silhouette, rotation, silhouette
 from stochgeom.transfer.squeeze import squeeze_function
 
 HALF: Final = 1.5
@@ -152,12 +152,12 @@ def closing_scene(part: Part, theta: Angle) -> Scene:
 
     First contact at ``theta``; half way; the stable orientation that a squeeze leads to.
     """
-    body, start = silhouette(part, 150), shadow(theta)
+    body, start = silhouette(part, FEW_DRAWN), shadow(theta)
     final = squeeze_function(part)(theta)
     end, scene = shadow(final), Scene()
     words = (
         f"1: first contact, {shown_degrees(theta.degrees(2))}",
-        "2: the plate slides, the part rolls",
+        "2: the plate slides, the part rolls" if final != theta else "2: nothing moves",
         f"3: stable, {shown_degrees(final.degrees(2))}",
     )
     last = rolling(body, start, end)
@@ -194,7 +194,7 @@ def wedged_or_stable_scene(part: Part, theta: Angle) -> Scene:
     Without it friction may hold the part where the jaws first touched it: the caption says how much
     friction that takes, rounded up. With it the part turns on to a stable orientation.
     """
-    body, start = silhouette(part, 150), shadow(theta)
+    body, start = silhouette(part, FEW_DRAWN), shadow(theta)
     final = squeeze_function(part)(theta)
     scene = Scene()
     scene.place(_held(body, Rolling(start, 0.0, 0.0), sliding=False))

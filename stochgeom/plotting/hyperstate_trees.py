@@ -17,7 +17,7 @@ from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.errors import InputError, NodeLimitError
 from stochgeom.exact.quotients import number_decimal
 from stochgeom.plotting.graph import TEXT
-from stochgeom.plotting.scene import GLYPH_WIDTH, XY, Label, Line, Scene, rectangle
+from stochgeom.plotting.scene import XY, Label, Line, Scene, rectangle, shortened, text_width
 
 MOST_PLANS: Final = 81
 """Trees of more plans are not drawn."""
@@ -64,7 +64,7 @@ def open_loop_scene(problem: PlanningProblem, stages: int, digits: int = 4) -> S
     plans = list(product(numbers, repeat=stages))
     costs, best = _costs(problem, plans)
     texts = [short_label(str(action)) for action in problem.actions]
-    pitch = BOX + 40.0 + max(GLYPH_WIDTH * TEXT * len(text) for text in texts)
+    pitch = BOX + 40.0 + max(text_width(text, TEXT) for text in texts)
     scene = Scene()
     for depth in range(stages):
         for word in product(numbers, repeat=depth + 1):
@@ -93,7 +93,7 @@ def _costs(problem: PlanningProblem, plans: Sequence[_Word]) -> tuple[list[Any],
 
 def short_label(text: str) -> str:
     """Return what a branch has room for."""
-    return text if len(text) <= _LETTERS_OF_ACTION else f"{text[: _LETTERS_OF_ACTION - 1]}…"
+    return shortened(text, _LETTERS_OF_ACTION)
 
 
 def _height(word: _Word, actions: int, stages: int) -> float:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Final
 
 from stochgeom.arguments import as_count
@@ -18,7 +17,7 @@ from stochgeom.feeding.closures import Closure
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.closure_scenes import LOOKS, NAMES
 from stochgeom.plotting.curves import MOST_MARKED, in_degrees
-from stochgeom.plotting.graph import TEXT, Panel, round_ticks
+from stochgeom.plotting.graph import TEXT, Panel, add_marked_steps, round_ticks
 from stochgeom.plotting.scene import Disc, Label, Line, Scene, rectangle, shown_degrees
 
 AnyArc = Arc | ClosedArc
@@ -107,16 +106,12 @@ def _ranges(steps: Sequence[tuple[float, float, float]]) -> tuple[tuple[float, f
 
 
 def _add_steps(scene: Scene, panel: Panel, steps: Sequence[tuple[float, float, float]]) -> None:
-    """Draw the steps; a filled dot where one begins, a hollow one where it ends before the next."""
+    """Draw the steps, their ends marked if they are few."""
     if len(steps) > MOST_MARKED:
         corners = [panel.at(x, y) for a, b, y in steps for x in (a, b)]
         scene.add(Line(tuple(corners), "step"))
         return
-    for (_, x, y), (_, _, z) in pairwise(steps):
-        scene.add(Line((panel.at(x, y), panel.at(x, z)), "jump"))
-    scene.add(*(Line((panel.at(a, y), panel.at(b, y)), "step") for a, b, y in steps))
-    scene.add(*(Disc(panel.at(b, y), 2.6, "hollow") for _, b, y in steps[:-1]))
-    scene.add(*(Disc(panel.at(a, y), 2.6, "closed") for a, _, y in steps[1:]))
+    add_marked_steps(scene, panel, steps, cut_at_start=True)
 
 
 def _add_rows(scene: Scene, panel: Panel, arcs: Sequence[AnyArc]) -> None:

@@ -14,7 +14,7 @@ from stochgeom.feeding.gripper_error import GripperError
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.geometry.part import PartLike, as_part
 from stochgeom.plotting.arguments import Orientation, as_angle
-from stochgeom.plotting.axes import draw_scene, need_matplotlib
+from stochgeom.plotting.axes import PIXEL, draw_scene, need_matplotlib
 from stochgeom.plotting.funnel_scenes import funnel_scene
 from stochgeom.plotting.grasp_scenes import error_scene, grasp_scene, stable_scene
 from stochgeom.plotting.gripper_scenes import (
@@ -288,4 +288,4 @@ def draw_funnel(plan: FeedingPlan, ax: Axes | None = None, *, prior: Prior | Non
     ['2 actions to go', '1 action to go']
     """
     need_matplotlib()
-    return draw_scene(funnel_scene(plan, prior), ax, inches=1 / 80)
+    return draw_scene(funnel_scene(plan, prior), ax, inches=PIXEL)

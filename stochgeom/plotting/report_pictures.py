@@ -44,7 +44,7 @@ _STEPS: Final = (
 _MOST_LABELS: Final = 16
 
 
-def distribution_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> Scene:
+def distributions_scene(rows: Sequence[tuple[int, Hyperstate]], goal: Angle) -> Scene:
     """Return the distribution after each action, a row each, as stems over 0 to 360 degrees.
 
     Parameters

@@ -15,7 +15,7 @@ from stochgeom.plotting.animation_stage import (
 )
 from stochgeom.plotting.function_scenes import analysis_scene, function_behind
 from stochgeom.plotting.funnel_scenes import funnel_scene
-from stochgeom.plotting.report_pictures import distribution_scene, tolerance_scene
+from stochgeom.plotting.report_pictures import distributions_scene, tolerance_scene
 from stochgeom.plotting.report_subject import Subject, shown_rows
 from stochgeom.plotting.report_tables import (
     action_table,
@@ -129,7 +129,7 @@ def distributions_section(subject: Subject) -> Iterator[str]:
         f"accepted one, {goal.reduced().degrees(subject.digits)}°, is dark.</p>"
     )
     yield _picture(
-        distribution_scene([(k, subject.state(k)) for k in shown], goal),
+        distributions_scene([(k, subject.state(k)) for k in shown], goal),
         "Distribution after each action",
         "A row for each action; over the axis of orientations from 0 to 360 degrees a stem as "
         "high as the probability. The tables below have the numbers.",

@@ -92,7 +92,6 @@ text-align:center}
 .sg-closed{fill:var(--accent);stroke:var(--accent)}
 .sg-hollow{fill:var(--paper);stroke:var(--accent)}
 .sg-bar,.sg-caught{fill:var(--bar);stroke:var(--ink)}
-.sg-band{fill:var(--panel)}
 @media (max-width:40rem){main{padding:1rem .8rem 3rem}h1{font-size:1.5rem}
 .stage,.of4{grid-template-columns:repeat(2,1fr)}.hero>svg{width:8rem}
 th,td{padding:.3rem .5rem}.facts{grid-template-columns:1fr 1fr}}

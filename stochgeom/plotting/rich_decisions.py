@@ -11,6 +11,7 @@ from stochgeom.exact.quotients import number_decimal
 from stochgeom.plotting.hyperstate_trees import open_loop_scene
 from stochgeom.plotting.part_scenes import part_scene
 from stochgeom.plotting.rich_html import MOST_ROWS, counted, table_html
+from stochgeom.plotting.scene import shortened
 from stochgeom.plotting.svg import svg_document, text_of
 from stochgeom.plotting.tree_scenes import tree_scene
 from stochgeom.sensing.recognition import RecognitionProblem
@@ -121,8 +122,7 @@ def sensor_plan_html(plan: SensorPlan) -> str:
 
 
 def _short(label: Any) -> str:
-    text = str(label)
-    return text if len(text) <= _MOST_LETTERS else f"{text[: _MOST_LETTERS - 1]}…"
+    return shortened(str(label), _MOST_LETTERS)
 
 
 def _plain(share: Any) -> Any:

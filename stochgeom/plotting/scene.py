@@ -19,6 +19,22 @@ GLYPH_WIDTH: Final = 0.62
 """Width of an average character over the text size, a little more than fonts need."""
 
 
+def text_width(text: str, size: float, *, bold: bool = False) -> float:
+    """Return an upper estimate of the width of text in letters of a size."""
+    return GLYPH_WIDTH * (1.08 if bold else 1.0) * size * len(text)
+
+
+def shortened(text: str, most: int) -> str:
+    """Return text cut to at most so many characters, the last one three dots if some are left out.
+
+    Examples
+    --------
+    >>> shortened("turn", 4), shortened("turn it", 4)
+    ('turn', 'tur…')
+    """
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
 @final
 @dataclass(frozen=True, slots=True)
 class Polygon:
@@ -71,7 +87,7 @@ class Label:
     @property
     def width(self) -> float:
         """An upper estimate of the width of the text."""
-        return GLYPH_WIDTH * (1.08 if self.bold else 1.0) * self.size * len(self.text)
+        return text_width(self.text, self.size, bold=self.bold)
 
 
 Shape: TypeAlias = Polygon | Line | Disc | Label

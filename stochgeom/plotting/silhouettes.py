@@ -27,6 +27,10 @@ MOST_DRAWN: Final = 600
 """About so many vertices of an outline are drawn, those that a picture can show apart."""
 
 
+FEW_DRAWN: Final = 150
+"""The same where a part is drawn small, one of many."""
+
+
 @final
 @dataclass(frozen=True, slots=True)
 class Silhouette:

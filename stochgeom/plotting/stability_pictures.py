@@ -17,7 +17,7 @@ from stochgeom.grasping.friction import FrictionLike
 from stochgeom.grasping.grasp_diagram import GraspDiagram
 from stochgeom.grasping.push_stability import Jaw, PushStability
 from stochgeom.grasping.squeeze_stability import SqueezeStability
-from stochgeom.plotting.axes import axes_or_new, draw_scene, need_matplotlib
+from stochgeom.plotting.axes import PIXEL, axes_or_new, draw_scene, need_matplotlib
 from stochgeom.plotting.curves import in_degrees
 from stochgeom.plotting.function_pictures import LETTERS
 from stochgeom.plotting.graph import degree_ticks
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-_INCHES: Final = 1 / 80
 _SAMPLES: Final = 120
 _HIGHEST: Final = 4.0
 """The density after a push is infinite at a stable orientation; it is drawn up to here."""
@@ -63,7 +62,7 @@ def draw_push_stability(
     """
     need_matplotlib()
     found = part if isinstance(part, PushStability) else PushStability(part, expect_jaw(jaw))
-    return draw_scene(push_scene(found), ax, inches=_INCHES)
+    return draw_scene(push_scene(found), ax, inches=PIXEL)
 
 
 def expect_jaw(jaw: Jaw) -> Jaw:
@@ -100,7 +99,7 @@ def draw_squeeze_stability(
     """
     need_matplotlib()
     found = part if isinstance(part, SqueezeStability) else SqueezeStability(part, mu)
-    return draw_scene(squeeze_scene(found), ax, inches=_INCHES)
+    return draw_scene(squeeze_scene(found), ax, inches=PIXEL)
 
 
 def draw_grasp_diagram(
@@ -137,7 +136,7 @@ def draw_grasp_diagram(
     """
     need_matplotlib()
     found = part if isinstance(part, GraspDiagram) else GraspDiagram(part, mu)
-    return draw_scene(grasp_diagram_scene(found), ax, inches=_INCHES)
+    return draw_scene(grasp_diagram_scene(found), ax, inches=PIXEL)
 
 
 # --- the density after a push --------------------------------------------------------------------

@@ -61,7 +61,6 @@ STYLES: Final[dict[str, Style]] = {
     "density": Style("#e4e4e4", "#4d4d4d", 1.2),
     "caught": Style("#7d9cc0", "#23527c", 1.2),
     "leader": Style(None, "#6b6b6b", 0.6),
-    "band": Style("#e9eef5", None),
     "rule": Style(None, "#c4c4c4", 0.7),
     # trees
     "branch": Style(None, "#777777", 0.9),

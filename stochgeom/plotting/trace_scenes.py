@@ -11,22 +11,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from stochgeom.arguments import expect
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.shadows import shadow
 from stochgeom.feeding.plans import FeedingPlan
+from stochgeom.plotting.arguments import part_of
 from stochgeom.plotting.distributions import Strip, add_distribution, add_prior, add_scale
 from stochgeom.plotting.grasps import REACH, Pose, pose_shapes
 from stochgeom.plotting.sample_orientations import Sample, sample_orientations
 from stochgeom.plotting.scene import Label, Line, Scene, Shape, shown_degrees
-from stochgeom.plotting.silhouettes import Silhouette, silhouette
+from stochgeom.plotting.silhouettes import FEW_DRAWN, Silhouette, silhouette
 
 MOST_COLUMNS: Final = 8
 CELL: Final = 2 * REACH + 0.2
 _SIZE: Final = 0.46
 _STRIP_WIDTH: Final = 9.0
-_MOST_CORNERS: Final = 150
 
 
 def typical_orientations(plan: FeedingPlan, most: int = MOST_COLUMNS) -> tuple[Angle, ...]:
@@ -73,15 +72,13 @@ def trace_scene(
     InputError
         If the plan is for a transfer function without a part.
     """
-    plan = expect(plan, FeedingPlan, "a plan, such as plan_feeding(part)")
-    if plan.part is None:
-        raise InputError("a plan of a transfer function has no part to draw; accepted: a part's")
+    part = part_of(plan)
     sample = Sample(tuple(orientations), "") if orientations is not None else None
     sample = sample or sample_orientations(plan, most)
     chosen = sample.orientations
     if not chosen:
         raise InputError("0 traces; accepted: 1 or more")
-    body = silhouette(plan.part, _MOST_CORNERS)
+    body = silhouette(part, FEW_DRAWN)
     scene, gripper = Scene(), (0.0, *(shadow(angle) for angle in plan.cumulative_angles))
     for column, theta in enumerate(chosen):
         states = plan.execute(theta)

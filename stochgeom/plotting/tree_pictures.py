@@ -5,12 +5,12 @@ All open-loop plans (thesis Fig. 2.1), a plan with sensors (Fig. 7.1), all of th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from stochgeom.arguments import expect
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.plotting.and_or_scenes import and_or_scene
-from stochgeom.plotting.axes import draw_scene, need_matplotlib
+from stochgeom.plotting.axes import PIXEL, draw_scene, need_matplotlib
 from stochgeom.plotting.hyperstate_trees import open_loop_scene
 from stochgeom.plotting.tree_scenes import tree_scene
 from stochgeom.sensing.and_or_tree import AndOrTree
@@ -19,8 +19,6 @@ from stochgeom.sensing.sensor_plan import SensorPlan
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-_INCHES: Final = 1 / 80
 
 
 def draw_open_loop_plans(problem: PlanningProblem, stages: int, ax: Axes | None = None) -> Axes:
@@ -58,7 +56,7 @@ def draw_open_loop_plans(problem: PlanningProblem, stages: int, ax: Axes | None 
     ['turn', 'wait', 'cost 0.2500', 'cost 0.7500']
     """
     need_matplotlib()
-    return draw_scene(open_loop_scene(problem, stages), ax, inches=_INCHES)
+    return draw_scene(open_loop_scene(problem, stages), ax, inches=PIXEL)
 
 
 def draw_plan_tree(tree: PlanTree | SensorPlan, ax: Axes | None = None, *, digits: int = 4) -> Axes:
@@ -88,7 +86,7 @@ def draw_plan_tree(tree: PlanTree | SensorPlan, ax: Axes | None = None, *, digit
     need_matplotlib()
     found = tree.tree if isinstance(tree, SensorPlan) else tree
     found = expect(found, PlanTree, "a PlanTree, such as sensor_plan(problem, sensor, 2).tree")
-    return draw_scene(tree_scene(found, digits), ax, inches=_INCHES)
+    return draw_scene(tree_scene(found, digits), ax, inches=PIXEL)
 
 
 def draw_all_plans(tree: AndOrTree, ax: Axes | None = None, *, digits: int = 4) -> Axes:
@@ -128,4 +126,4 @@ def draw_all_plans(tree: AndOrTree, ax: Axes | None = None, *, digits: int = 4) 
     """
     need_matplotlib()
     tree = expect(tree, AndOrTree, "an AndOrTree, such as all_sensor_plans(problem, sensor, 2)")
-    return draw_scene(and_or_scene(tree, digits), ax, inches=_INCHES)
+    return draw_scene(and_or_scene(tree, digits), ax, inches=PIXEL)

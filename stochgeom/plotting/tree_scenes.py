@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from stochgeom.plotting.graph import TEXT
-from stochgeom.plotting.scene import GLYPH_WIDTH, XY, Label, Line, Polygon, Scene, rectangle
+from stochgeom.plotting.scene import XY, Label, Line, Polygon, Scene, rectangle, text_width
 from stochgeom.sensing.plan_tree import PlanTree
 from stochgeom.sensing.tree_nodes import Act, Node, Sense, Wording, children_of
 from stochgeom.sensing.tree_text import move_text, reading_text
@@ -38,17 +38,13 @@ class _Placed:
 
     @property
     def width(self) -> float:
-        return _width(self.text) + 16
+        return text_width(self.text, TEXT) + 16
 
     def below(self) -> Iterator[_Placed]:
         """Yield this node and all below it."""
         yield self
         for child in self.children:
             yield from child.below()
-
-
-def _width(text: str) -> float:
-    return GLYPH_WIDTH * TEXT * len(text)
 
 
 def tree_scene(tree: PlanTree, digits: int = 4) -> Scene:
@@ -96,7 +92,7 @@ def _columns(root: _Placed) -> list[float]:
     columns = [0.0]
     for level in range(max(placed.depth for placed in nodes)):
         boxes = max(placed.width for placed in nodes if placed.depth == level)
-        texts = max(_width(placed.edge) for placed in nodes if placed.depth == level + 1)
+        texts = max(text_width(placed.edge, TEXT) for placed in nodes if placed.depth == level + 1)
         columns.append(columns[-1] + boxes + _GAP + texts)
     return columns
 

@@ -19,7 +19,7 @@ from stochgeom.feeding import field_certificate_checker
 from stochgeom.io.embedded import CERTIFICATE, PLAN, find_block
 from stochgeom.io.plan_json import plan_json
 from stochgeom.plotting.report import report_html
-from stochgeom.plotting.report_pictures import distribution_scene, tolerance_scene
+from stochgeom.plotting.report_pictures import distributions_scene, tolerance_scene
 from stochgeom.plotting.report_sections import MOST_CERTIFIED
 from stochgeom.plotting.report_subject import MOST_MORE, MOST_ROWS, Subject, shown_rows
 from stochgeom.plotting.scene import Disc, Label, Polygon, box_of
@@ -302,7 +302,7 @@ def test_labels_of_near_states_stand_above_each_other():
         tuple(sg.Angle.from_degrees(d) for d in degrees),
         tuple(sg.Angle.from_degrees(w) for w in (30, 30, 40, 200, 20, 20, 20)),
     )
-    scene = distribution_scene([(1, state)], sg.ZERO)
+    scene = distributions_scene([(1, state)], sg.ZERO)
     boxes = [
         box_of(shape)
         for shape in scene.shapes

@@ -55,6 +55,7 @@ from stochgeom.thesis.parts import catalogue_names, catalogue_part
 from stochgeom.transfer.push_grasp import push_grasp_function
 from stochgeom.transfer.squeeze import squeeze_function
 from stochgeom.transfer.step_function import StepFunction
+from tests.repo.sources import MODULES
 from tests.scene_checks import SVG, overlapping_labels, parsed
 
 RECTANGLE = Part([(0, 0), (3, 0), (3, 2), (0, 2)])
@@ -114,6 +115,12 @@ class TestSvgText:
         assert len(looks) == 5
         fills = sorted(grey(STYLES[name].fill) for name in ("pushing", "jaw", "part", "open"))
         assert all(b - a > 30 for a, b in pairwise(fills))
+
+    def test_every_style_is_of_something_that_is_drawn(self):
+        source = "\n".join(path.read_text(encoding="utf-8") for path in MODULES)
+        assert [
+            name for name in STYLES if f'"{name}"' not in source.replace(f'"{name}": Style', "")
+        ] == []
 
     def test_bounds_hold_the_text(self):
         scene = Scene([Label((0, 0), "wide text", 1.0, "start")])
@@ -507,6 +514,15 @@ class TestGrippers:
         assert scene.labels()[-1] == "3: stable, 0.00°"
         assert len(scene.of_style("slide")) == 3
         assert len(scene.of_style("contact")) == 2 + 2 + 4
+        assert scene.labels()[1] == "2: the plate slides, the part rolls"
+
+    def test_from_a_stable_orientation_nothing_moves(self):
+        scene = closing_scene(Part.regular(6), degrees("60"))
+        assert scene.labels() == [
+            "1: first contact, 60.00°",
+            "2: nothing moves",
+            "3: stable, 60.00°",
+        ]
 
     def test_with_and_without(self):
         labels = wedged_or_stable_scene(Part.regular(6), degrees("20")).labels()
@@ -675,7 +691,7 @@ class TestLabels:
         """Found with 30 corners, where bars hid numbers and numbers touched."""
         plan = orient_up_to_symmetry(GON)
         rows = [(step, plan.distribution(step)) for step in range(1, plan.steps + 1)]
-        scene = report_pictures.distribution_scene(rows, plan.final_orientation)
+        scene = report_pictures.distributions_scene(rows, plan.final_orientation)
         assert overlapping_labels(scene) == []
         shown = [s for s in scene.shapes if isinstance(s, Label) and s.text.startswith("0.")]
         bars = [bar.points for style in ("bar", "image") for bar in scene.of_style(style)]
