@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any, Final, TypeAlias
 
-from stochgeom.arguments import expect, shown
+from stochgeom.arguments import expect
 from stochgeom.errors import InputError, NumberLimitError
 from stochgeom.exact.angles import Angle
 from stochgeom.exact.scalars import RationalLike, rational
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.geometry.part import Part
+from stochgeom.plotting.scene import shortened
 
 MOST_TURNS: Final = 10
 
@@ -18,6 +19,9 @@ LARGEST_DRAWN: Final = 1e200
 """Sizes between which floats hold a number, and what a picture makes of it."""
 
 DRAWN_SIZES: Final = f"from {SMALLEST_DRAWN:g} to {LARGEST_DRAWN:g}"
+
+_DIGITS: Final = 40
+"""Of a number in a message."""
 
 Orientation: TypeAlias = "Angle | RationalLike"
 """An angle, or degrees as an exact number or text."""
@@ -65,7 +69,7 @@ def as_drawn(number: Any, where: str) -> float:
     """
     if number and not is_drawn(abs(number)):
         raise NumberLimitError(
-            f"{shown(number)} is no number to draw; accepted: 0, or sizes {DRAWN_SIZES}",
+            f"{shortened(str(number), _DIGITS)} is no number to draw; accepted: 0, or sizes {DRAWN_SIZES}",
             where=where,
         )
     return float(number)

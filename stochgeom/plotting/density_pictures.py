@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from gmpy2 import mpq
 
-from stochgeom.arguments import shown
 from stochgeom.errors import NumberLimitError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.exact.scalars import RationalLike, rational_text
 from stochgeom.plotting.axes import axes_or_new
+from stochgeom.plotting.scene import shortened
 from stochgeom.plotting.styles import STYLES
 from stochgeom.tilting.beta_density import BetaDensity
 
@@ -68,8 +68,11 @@ def draw_beta_density(alpha_1: RationalLike, alpha_2: RationalLike, ax: Axes | N
     beta = BetaDensity(alpha_1, alpha_2)
     for alpha, name in ((beta.alpha_1, "alpha_1"), (beta.alpha_2, "alpha_2")):
         if not _LEAST <= alpha <= _MOST:
-            accepted = f"accepted: {float(_LEAST):g} to {float(_MOST):g}"
-            raise NumberLimitError(f"{shown(alpha)} is too far off to draw; {accepted}", where=name)
+            raise NumberLimitError(
+                f"{shortened(rational_text(alpha), _LONG)} is no parameter to draw; accepted: "
+                f"{float(_LEAST):g} to {float(_MOST):g}",
+                where=name,
+            )
     ax = axes_or_new(ax, (4.8, 3.0))
     low, high = _range(beta)
     edge = _EDGE * (high - low)

@@ -118,9 +118,8 @@ class TestSvgText:
 
     def test_every_style_is_of_something_that_is_drawn(self):
         source = "\n".join(path.read_text(encoding="utf-8") for path in MODULES)
-        assert [
-            name for name in STYLES if f'"{name}"' not in source.replace(f'"{name}": Style', "")
-        ] == []
+        unused = [name for name in STYLES if source.count(f'"{name}"') < 2]  # one makes it
+        assert unused == []
 
     def test_bounds_hold_the_text(self):
         scene = Scene([Label((0, 0), "wide text", 1.0, "start")])
