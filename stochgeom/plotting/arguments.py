@@ -69,7 +69,8 @@ def as_drawn(number: Any, where: str) -> float:
     """
     if number and not is_drawn(abs(number)):
         raise NumberLimitError(
-            f"{shortened(str(number), _DIGITS)} is no number to draw; accepted: 0, or sizes {DRAWN_SIZES}",
+            f"{shortened(str(number), _DIGITS)} is no number to draw; accepted: 0, or sizes "
+            f"{DRAWN_SIZES}",
             where=where,
         )
     return float(number)
