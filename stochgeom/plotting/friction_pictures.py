@@ -56,6 +56,8 @@ def draw_friction_bounds(
         If the centre of mass is not strictly inside the convex hull.
     FrictionError, NumberError
         If the largest coefficient is not positive or no exact number.
+    NumberLimitError
+        If floats do not hold it.
 
     Examples
     --------

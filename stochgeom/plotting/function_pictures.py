@@ -63,6 +63,11 @@ def draw_diameter(
     turns : int
         The range, in full turns.
 
+    Raises
+    ------
+    NumberLimitError
+        If the part is so large or small that floats do not hold it.
+
     Examples
     --------
     >>> from matplotlib.figure import Figure
@@ -83,6 +88,8 @@ def draw_radius(part: PartLike | RadiusFunction, ax: Axes | None = None, *, turn
     ------
     CenterOfMassError
         If the centre of mass is not strictly inside the convex hull.
+    NumberLimitError
+        If the part is so large or small that floats do not hold it.
 
     Examples
     --------
