@@ -18,6 +18,7 @@ from gmpy2 import mpq
 
 from stochgeom.arguments import as_count, expect
 from stochgeom.decision.discrete_prior import DiscretePrior
+from stochgeom.decision.hyperstates import Hyperstate
 from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
@@ -93,7 +94,16 @@ class Feeder:
     @property
     def needs_filter(self) -> bool:
         """Whether a part may end in another orientation."""
-        return not all(map(self.accepts, self.plan.distribution().orientations))
+        return not all(map(self.accepts, self.left.orientations))
+
+    @property
+    def left(self) -> Hyperstate:
+        """The distribution after the last action, without what a prior makes impossible.
+
+        A gripper that errs may bring a part to any of them.
+        """
+        state = self.plan.distribution()
+        return state if self.plan.gripper_error else state.possible()
 
     @property
     def turned(self) -> float:
@@ -249,7 +259,7 @@ def _add_return(scene: Scene, feeder: Feeder, body: Silhouette, right: float) ->
     scene.add(*arrow((right, -_HALF - 0.5), (right, _RETURN + _HALF + 0.05), 0.3))
     scene.add(*arrow((0.6, _RETURN + _HALF), (0.6, -_HALF - 0.05), 0.3))
     y = _RETURN - _HALF - 0.55
-    state = feeder.plan.distribution()
+    state = feeder.left
     refused = [k for k in range(len(state)) if not feeder.accepts(state.orientations[k])]
     refused.sort(key=lambda k: (-float(state.probability(k)), k))
     again = f"sent around again: {_share(feeder.refused, feeder, '≤')}"

@@ -186,6 +186,18 @@ class TestTheFilter:
         assert "sent around again: under 0.001" in scene.labels()
         assert "<.001" in scene.labels()
 
+    def test_what_a_prior_makes_impossible_is_not_sent_around(self):
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        plan = plan_feeding(catalogue_part("house"), prior=prior)
+        possible = plan.distribution().possible()
+        refused = len(possible) - 1
+        assert refused < len(plan.distribution()) - 1
+        made = feeder(plan)
+        below = [row for row in turns_of(feeder_scene(made), plan.part) if row[1] < -1]
+        assert len(below) == refused
+        assert made.needs_filter == (refused > 0) == (plan.probability < 1)
+        assert not any("<" in text or "under" in text for text in feeder_scene(made).labels())
+
     def test_of_a_gripper_that_errs_it_is_a_bound(self):
         problem = FeedingProblem([(0, 0), (9, 0), (10, 3), (7, 8), (2, 6)], gripper_error="3")
         scene = feeder_scene(feeder(problem.geometric_plan()))
