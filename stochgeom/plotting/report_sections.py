@@ -102,7 +102,11 @@ def actions_section(subject: Subject) -> Iterator[str]:
     yield action_table(subject)
     if subject.plan.margin is None:
         return
-    shown = [k for k in shown_rows(subject.plan.steps) if k is not None][: 2 * MOST_PICTURED]
+    shown = list(range(subject.plan.steps))
+    if len(shown) > 2 * MOST_PICTURED:
+        few = MOST_PICTURED
+        yield f"<p>Of {len(shown)} ranges the first {few} and the last {few} are drawn.</p>"
+        shown = shown[:few] + shown[-few:]
     yield _picture(
         tolerance_scene(
             [(k + 1, subject.plan.actions[k]) for k in shown],
