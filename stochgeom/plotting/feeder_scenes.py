@@ -229,8 +229,11 @@ def _add_station(
     _add_heading(scene, x, f"{plan.action_name} {step}", at)
 
 
-def _add_heading(scene: Scene, x: float, title: str, below: str) -> None:
-    scene.add(Label((x, 2.95), title, _SIZE, bold=True), Label((x, 2.25), below, _SIZE))
+def _add_heading(
+    scene: Scene, x: float, title: str, below: str, room: float = _STATION - 0.2
+) -> None:
+    scene.add(Label((x, 2.95), *fitted(title, _SIZE, room), bold=True))
+    scene.add(Label((x, 2.25), *fitted(below, _SIZE, room)))
 
 
 def _add_filter(scene: Scene, feeder: Feeder, body: Silhouette, x: float) -> None:
@@ -241,7 +244,8 @@ def _add_filter(scene: Scene, feeder: Feeder, body: Silhouette, x: float) -> Non
     scene.place(part_shapes(body.turned(shadow(state) + feeder.turned)), x)
     opening = body.turned(shadow(feeder.plan.final_orientation) + feeder.turned)
     scene.place([Polygon(points_of(opening.outline.tolist()), "hull")], x, scale=1.08)
-    _add_heading(scene, x, "filter", f"passes {_share(feeder.accepted, feeder, '≥')}")
+    passes = f"passes {_share(feeder.accepted, feeder, '≥')}"
+    _add_heading(scene, x, "filter", passes, _FILTER - 0.2)
 
 
 def _share(share: Decimal, feeder: Feeder, bound: str) -> str:

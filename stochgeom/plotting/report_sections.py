@@ -255,10 +255,15 @@ def certificate_section(subject: Subject) -> Iterator[str]:
         yield data_block(CERTIFICATE, document)
         return
     yield (
-        f"<p>This page carries no certificate: {text_of(reason)}. The plan itself, with exact "
-        f"angles and ranges, is the JSON in the element with the id <code>{PLAN}</code>.</p>"
+        f"<p>This page carries no certificate: {text_of(_as_prose(reason))}. The plan itself, with "
+        f"exact angles and ranges, is the JSON in the element with the id <code>{PLAN}</code>.</p>"
     )
     yield data_block(PLAN, plan_json(subject.plan, subject.digits))
+
+
+def _as_prose(message: str) -> str:
+    """Return the message of an error without "accepted", which orientations are on this page."""
+    return message.replace("; accepted: ", ". Certified are ")
 
 
 def _proof(plan: FeedingPlan) -> tuple[dict[str, Any] | None, str]:

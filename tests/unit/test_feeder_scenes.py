@@ -252,6 +252,14 @@ def test_labels_stand_apart(part, action, parts, up_to_symmetry):
         assert 0 <= made.refused <= Decimal(1)
 
 
+def test_labels_stand_apart_where_the_filter_refuses_next_to_nothing():
+    """Found with a sliver: "passes over 0.999" ran into what is written beside it."""
+    plan = FeedingProblem(FAMILIES["slivers"](9, seed=1)).plan_of(1)
+    scene = feeder_scene(feeder(plan, up_to_symmetry=True))
+    assert "passes over 0.999" in scene.labels()
+    assert overlapping_labels(scene) == []
+
+
 class TestBadInput:
     @pytest.mark.parametrize(
         ("call", "message"),

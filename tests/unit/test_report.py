@@ -333,6 +333,7 @@ def test_a_page_without_certificate_says_why_and_carries_the_plan(name):
     block = find_block(page.encode(), PLAN)
     assert find_block(page.encode(), CERTIFICATE) is None
     assert "This page carries no certificate: " in page
+    assert "; accepted: " not in page
     assert json.loads(block) == plan_json(plan)
 
 
