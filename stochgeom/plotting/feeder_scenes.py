@@ -23,6 +23,7 @@ from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.shadows import shadow
+from stochgeom.exact.sums import Probability
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.distributions import BINS, bin_masses, fitted
 from stochgeom.plotting.grasps import Pose, part_shapes, pose_shapes
@@ -81,10 +82,13 @@ class Feeder:
     @property
     def accepted(self) -> Decimal:
         """The probability that a part is let through, to three decimals."""
-        whole = self.period == FULL_TURN
+        return Decimal(self._passing.decimal(3))
+
+    @property
+    def _passing(self) -> Probability:
         plan = self.plan
-        shares = plan.probability if whole else plan.probability_up_to_symmetry
-        return Decimal(shares.decimal(3))
+        whole = self.period == FULL_TURN
+        return plan.probability if whole else plan.probability_up_to_symmetry
 
     @property
     def refused(self) -> Decimal:
@@ -100,10 +104,11 @@ class Feeder:
     def left(self) -> Hyperstate:
         """The distribution after the last action, without what a prior makes impossible.
 
-        A gripper that errs may bring a part to any of them.
+        A gripper that errs may bring a part to any of them, unless the plan is sure to succeed.
         """
         state = self.plan.distribution()
-        return state if self.plan.gripper_error else state.possible()
+        passing: object = self._passing  # equal to 1 only if it is known to be
+        return state if self.plan.gripper_error and passing != 1 else state.possible()
 
     @property
     def turned(self) -> float:

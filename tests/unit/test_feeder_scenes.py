@@ -198,6 +198,12 @@ class TestTheFilter:
         assert made.needs_filter == (refused > 0) == (plan.probability < 1)
         assert not any("<" in text or "under" in text for text in feeder_scene(made).labels())
 
+    def test_a_plan_that_bears_the_error_for_all_that_arrive_needs_no_filter(self):
+        prior = DiscretePrior.from_counts({"0": 50, "90": 30})
+        made = feeder(plan_feeding(catalogue_part("5gon"), prior=prior, gripper_error="2"))
+        assert made.plan.probability == 1
+        assert not made.needs_filter
+
     def test_of_a_gripper_that_errs_it_is_a_bound(self):
         problem = FeedingProblem([(0, 0), (9, 0), (10, 3), (7, 8), (2, 6)], gripper_error="3")
         scene = feeder_scene(feeder(problem.geometric_plan()))
