@@ -62,8 +62,9 @@ def final_steps(goal: Goal, transfer: StepFunction, part: Part | None) -> tuple[
         try:
             goal = Angle.from_degrees(goal)
         except NumberError as error:
+            fault = error.message.partition("; accepted")[0]
             raise GoalError(
-                f"{error.message}; accepted: an angle in degrees, or {MOST_STABLE!r}", where="goal"
+                f"{fault}; accepted: an angle in degrees, or {MOST_STABLE!r}", where="goal"
             ) from error
     distances = [_distance(value, goal, transfer.period) for value in transfer.values]
     nearest = min(distances)

@@ -49,7 +49,7 @@ def load_part(source: str, *, center_of_mass: str | None = None) -> Part:
     expect(source, str, "a name of the catalogue, or a file's path as text", "source")
     if source in catalogue_names():
         return _with_center(catalogue_part(source), center_of_mass)
-    regular = re.fullmatch("regular-([0-9]{1,5})", source)
+    regular = re.fullmatch("regular-([0-9]{1,18})", source)
     if regular:
         return _with_center(Part.regular(int(regular[1])), center_of_mass)
     if source == "-":

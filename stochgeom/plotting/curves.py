@@ -84,7 +84,7 @@ class Wave:
         """What a reader of the graph has to know, ``""`` if nothing."""
         remarks = ["axis not from 0"] if self.limits[0] else []
         if not self.marked:
-            remarks.append(f"{len(self.minima)} minima, not marked")
+            remarks.append(f"{np.sum(self.minima < self.x[-1])} minima, not marked")
         return "; ".join(remarks)
 
 
@@ -150,7 +150,9 @@ class Steps:
     @property
     def remark(self) -> str:
         """What a reader of the graph has to know, ``""`` if nothing."""
-        return "" if self.marked else f"{len(self.values)} steps, ends not marked"
+        # What is cut off at the start goes on at the end.
+        count = len(self.values) - self.cut_at_start
+        return "" if self.marked else f"{count} steps, ends not marked"
 
 
 def steps_of(transfer: StepFunction, turns: int = 1) -> Steps:

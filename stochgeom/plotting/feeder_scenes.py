@@ -23,6 +23,7 @@ from stochgeom.decision.priors import Prior
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.shadows import shadow
+from stochgeom.exact.sums import Probability
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.plotting.arguments import part_of
 from stochgeom.plotting.distributions import BINS, bin_masses, fitted
@@ -84,13 +85,16 @@ class Feeder:
 
         Of a plan for a gripper that errs it is a lower bound, and not rounded up.
         """
-        whole = self.period == FULL_TURN
-        plan = self.plan
-        share = plan.probability if whole else plan.probability_up_to_symmetry
-        nearest = Decimal(share.decimal(3))
-        if plan.gripper_error and share.compare(mpq(str(nearest))) < 0:
+        nearest = Decimal(self._passing.decimal(3))
+        if self.plan.gripper_error and self._passing.compare(mpq(str(nearest))) < 0:
             return nearest - Decimal("0.001")
         return nearest
+
+    @property
+    def _passing(self) -> Probability:
+        plan = self.plan
+        whole = self.period == FULL_TURN
+        return plan.probability if whole else plan.probability_up_to_symmetry
 
     @property
     def refused(self) -> Decimal:
@@ -104,8 +108,13 @@ class Feeder:
 
     @property
     def outcome(self) -> Hyperstate:
-        """What is possible after the last action."""
-        return self.plan.distribution().possible()
+        """The distribution after the last action, without what a prior makes impossible.
+
+        A gripper that errs may bring a part to any of them, unless the plan is sure to succeed.
+        """
+        state = self.plan.distribution()
+        passing: object = self._passing  # equal to 1 only if it is known to be
+        return state if self.plan.gripper_error and passing != 1 else state.possible()
 
     @property
     def turned(self) -> float:
@@ -228,8 +237,11 @@ def _add_station(
     _add_heading(scene, x, f"{plan.action_name} {step}", at)
 
 
-def _add_heading(scene: Scene, x: float, title: str, below: str) -> None:
-    scene.add(Label((x, 2.95), title, _SIZE, bold=True), Label((x, 2.25), below, _SIZE))
+def _add_heading(
+    scene: Scene, x: float, title: str, below: str, room: float = _STATION - 0.2
+) -> None:
+    scene.add(Label((x, 2.95), *fitted(title, _SIZE, room), bold=True))
+    scene.add(Label((x, 2.25), *fitted(below, _SIZE, room)))
 
 
 def _add_filter(scene: Scene, feeder: Feeder, body: Silhouette, x: float) -> None:
@@ -240,7 +252,8 @@ def _add_filter(scene: Scene, feeder: Feeder, body: Silhouette, x: float) -> Non
     scene.place(part_shapes(body.turned(shadow(state) + feeder.turned)), x)
     opening = body.turned(shadow(feeder.plan.final_orientation) + feeder.turned)
     scene.place([Polygon(points_of(opening.outline.tolist()), "hull")], x, scale=1.08)
-    _add_heading(scene, x, "filter", f"passes {_share(feeder.accepted, feeder, '≥')}")
+    passes = f"passes {_share(feeder.accepted, feeder, '≥')}"
+    _add_heading(scene, x, "filter", passes, _FILTER - 0.2)
 
 
 def _share(share: Decimal, feeder: Feeder, bound: str) -> str:

@@ -39,6 +39,8 @@ if TYPE_CHECKING:
     from stochgeom.feeding.plans import FeedingPlan
 
 _POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'"
+_LONG: Final = 8
+"""Figures with more characters are written smaller."""
 
 
 def write_report(plan: FeedingPlan, path: str | os.PathLike[str], *, digits: int = 4) -> None:
@@ -107,6 +109,10 @@ def _section(title: str, content: Iterable[str]) -> str:
     return f"<section>\n<h2>{title}</h2>\n" + "\n".join(content) + "\n</section>"
 
 
+def _size_of(value: str) -> str:
+    return ' class="long"' if len(value) > _LONG else ""
+
+
 def _hero(subject: Subject, title: str) -> str:
     part = subject.plan.part
     picture = ""
@@ -115,7 +121,10 @@ def _hero(subject: Subject, title: str) -> str:
         picture = svg_document(
             part_scene(part), title=subject.name, description=words, scale=90.0, background=False
         )
-    rows = "".join(f"<div><dt>{what}</dt><dd>{value}</dd></div>" for value, what in facts(subject))
+    rows = "".join(
+        f"<div><dt>{what}</dt><dd{_size_of(value)}>{value}</dd></div>"
+        for value, what in facts(subject)
+    )
     return (
         f'<header><div class="hero">{definitions(subject.traces[0]) if subject.traces else ""}'
         f"{picture}<div><h1>{title}</h1>{headline(subject)}</div></div>"

@@ -96,7 +96,11 @@ def actions_section(subject: Subject) -> Iterator[str]:
     yield action_table(subject)
     if subject.plan.margin is None:
         return
-    shown = [k for k in shown_rows(subject.plan.steps) if k is not None][: 2 * MOST_PICTURED]
+    shown = list(range(subject.plan.steps))
+    if len(shown) > 2 * MOST_PICTURED:
+        few = MOST_PICTURED
+        yield f"<p>Of {len(shown)} ranges the first {few} and the last {few} are drawn.</p>"
+        shown = shown[:few] + shown[-few:]
     yield _picture(
         tolerance_scene(
             [(k + 1, subject.plan.actions[k]) for k in shown],
@@ -230,10 +234,15 @@ def certificate_section(subject: Subject) -> Iterator[str]:
         yield data_block(CERTIFICATE, document)
         return
     yield (
-        f"<p>This page carries no certificate: {text_of(reason)}. The plan itself, with exact "
-        f"angles and ranges, is the JSON in the element with the id <code>{PLAN}</code>.</p>"
+        f"<p>This page carries no certificate: {text_of(_as_prose(reason))}. The plan itself, with "
+        f"exact angles and ranges, is the JSON in the element with the id <code>{PLAN}</code>.</p>"
     )
     yield data_block(PLAN, plan_json(subject.plan, subject.digits))
+
+
+def _as_prose(message: str) -> str:
+    """Return the message of an error without "accepted", which orientations are on this page."""
+    return message.replace("; accepted: ", ". Certified are ")
 
 
 def _proof(plan: FeedingPlan) -> tuple[dict[str, Any] | None, str]:

@@ -30,7 +30,8 @@ margin:1.5rem 0 0;padding:0}
 .facts div{background:var(--panel);border-radius:.5rem;padding:.7rem .9rem}
 .facts dt{color:var(--soft);font-size:.85rem;line-height:1.3}
 .facts dd{margin:0 0 .15rem;font-size:1.45rem;font-weight:600;
-font-variant-numeric:tabular-nums}
+font-variant-numeric:tabular-nums;overflow-wrap:anywhere}
+.facts dd.long{font-size:1.05rem}
 .facts div{display:flex;flex-direction:column-reverse;justify-content:flex-end}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}
 caption{text-align:left;padding:.2rem 0 .5rem}

@@ -47,7 +47,7 @@ def facts(subject: Subject) -> list[tuple[str, str]]:
     plan = subject.plan
     action = text_of(subject.action)
     found = [
-        (str(plan.steps), f"{action} action{'' if plan.steps == 1 else 's'}"),
+        (str(plan.steps), text_of(plan.counted_actions.partition(" ")[2])),
         (plan.probability.decimal(4), "probability of the accepted orientation"),
         (plan.expected_cost.decimal(2), f"expected cost, in {action} times, with all rounds"),
     ]

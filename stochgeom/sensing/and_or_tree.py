@@ -16,7 +16,9 @@ from functools import cached_property
 from math import prod
 from typing import Any, Final, final
 
+from stochgeom.arguments import as_count
 from stochgeom.decision.number_kinds import NumberKind
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.display import Displayed
 from stochgeom.errors import NodeLimitError
@@ -156,7 +158,9 @@ def all_sensor_plans(
     ------
     NodeLimitError
         If the tree has more nodes; says how many.
-    SensorError, ShapeMismatchError, MixedNumbersError
+    InputError
+        If the horizon or the node limit is no whole number.
+    ProblemError, SensorError, ShapeMismatchError, MixedNumbersError
         As for `plan_for_cost`.
     NoPlanError
         If no plan ever succeeds.
@@ -181,6 +185,8 @@ def all_sensor_plans(
     >>> tree, tree.expected_cost, tree.best_plans
     (<AndOrTree: 11 nodes, 13 plans>, mpq(1,8), 1)
     """
+    check_problem(problem)
+    node_limit = as_count(node_limit, "as the node limit", where="node_limit")
     decisions, prices, round_cost = ends_by_cost(problem)
     task = PlanTask(problem, sensors, decisions, prices, horizon, None, node_limit)
     readings = sum(any(column) for s in task.sensors.values() for column in s.columns)

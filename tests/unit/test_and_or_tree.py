@@ -8,7 +8,7 @@ import pytest
 from gmpy2 import mpq
 
 import stochgeom as sg
-from stochgeom.errors import InputError, NodeLimitError, SensorError
+from stochgeom.errors import InputError, NodeLimitError, ProblemError, SensorError
 from stochgeom.plotting.and_or_scenes import and_or_scene
 from stochgeom.plotting.scene import Label
 from tests.scene_checks import overlapping_labels, parsed
@@ -83,6 +83,16 @@ class TestRefusals:
     def test_bad_horizons(self, horizon):
         with pytest.raises(InputError):
             sg.all_sensor_plans(COIN, EYE, horizon)
+
+    @pytest.mark.parametrize("limit", [0, "9", 9.5, True, None])
+    def test_bad_node_limits(self, limit):
+        with pytest.raises(InputError, match="as the node limit; accepted: whole numbers from 1"):
+            sg.all_sensor_plans(COIN, EYE, 1, node_limit=limit)
+
+    @pytest.mark.parametrize("problem", [5, "coin", None, sg.catalogue_part("house")])
+    def test_no_problem(self, problem):
+        with pytest.raises(ProblemError, match="accepted: a PlanningProblem"):
+            sg.all_sensor_plans(problem, EYE, 1)
 
     def test_no_sensor(self):
         with pytest.raises(SensorError, match="is no sensor"):

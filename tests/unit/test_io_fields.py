@@ -85,6 +85,7 @@ def test_bad_documents(text, error, words):
     [
         (("plan", "regular-2"), "a regular polygon of 2 vertices; accepted: 3 or more"),
         (("plan", "regular-5000"), "accepted: 3 to 1000 vertices"),
+        (("plan", "regular-1000000"), "accepted: 3 to 1000 vertices"),
         (
             ("plan", "--vertices", "0,0 sqrt(2),0 0,sqrt(3)"),
             "vertex 2, y: sqrt(3) is in Q(sqrt(3))",

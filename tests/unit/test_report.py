@@ -334,6 +334,7 @@ def test_a_page_without_certificate_says_why_and_carries_the_plan(name):
     block = find_block(page.encode(), PLAN)
     assert find_block(page.encode(), CERTIFICATE) is None
     assert "This page carries no certificate: " in page
+    assert "; accepted: " not in page
     assert json.loads(block) == plan_json(plan)
 
 
@@ -492,8 +493,17 @@ def test_a_range_too_narrow_to_draw_is_written_out():
     assert "0.0000101° wide" in {s.text for s in scene.shapes if isinstance(s, Label)}
 
 
+def test_actions_without_a_name_are_not_called_twice():
+    plan = sg.plan_transfer(sg.squeeze_function(L))
+    assert "<dt>actions</dt>" in report_html(plan)
+    assert "<dt>squeeze actions</dt>" in report_html(sg.plan_feeding(L))
+
+
 def test_a_long_plan_says_which_actions_it_shows():
     page = report_html(sg.plan_feeding(sg.FAMILIES["long plans"](25, seed=1)))
+    assert "Of 25 ranges the first 12 and the last 12 are drawn." in page
+    numbers = re.findall(r">action (\d+)<", page)
+    assert list(map(int, numbers)) == [*range(1, 13), *range(14, 26)]
     found = re.search(r"Of (\d+) actions the first 6 and the last 6 are shown", page)
     assert found
     assert int(found[1]) > 12

@@ -52,6 +52,20 @@ def many_steps() -> sg.FeedingPlan:
     return sg.FeedingProblem(part).geometric_plan()
 
 
+def test_long_figures_stay_in_their_boxes(page):
+    plan = sg.plan_feeding(sg.FAMILIES["long plans"](25, seed=1))
+    for width in (360, 900, 1400):
+        shown = page(plan, width)
+        fits = (
+            "[...document.querySelectorAll('.facts dd')].map(e => e.scrollWidth <= e.clientWidth)"
+        )
+        heights = (
+            "Math.max(...[...document.querySelectorAll('.facts dd')].map(e => e.clientHeight))"
+        )
+        assert all(shown.evaluate(fits))
+        assert shown.evaluate(heights) < 50  # one line
+
+
 PLANS = {
     "house": lambda: sg.orient_up_to_symmetry(sg.load_part("house")),
     "4gon": lambda: sg.plan_feeding(sg.load_part("4gon")),

@@ -201,7 +201,9 @@ class TestCurves:
         bounds = scene.of_style("frame")[-1].points
         assert bounds[0][1] < min(heights) < max(heights) < bounds[2][1]
         ends = step_scene(squeeze_function(GON)).labels()
-        assert "57 steps, ends not marked" in ends
+        assert "56 steps, ends not marked" in ends
+        # A minimum at 0 degrees is one again at 360.
+        assert "62 minima, not marked" in wave_of(DiameterFunction(Part.regular(62))).remark
 
     def test_other_functions_begin_at_0_and_need_no_remark(self):
         for part in (RECTANGLE, catalogue_part("key")):
