@@ -17,15 +17,15 @@ from math import prod
 from typing import Any, Final, final
 
 from stochgeom.decision.number_kinds import NumberKind
+from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.display import Displayed
-from stochgeom.errors import NodeLimitError
 from stochgeom.exact.quotients import SumQuotient, number_sign
 from stochgeom.sensing.irrational_prices import IrrationalPrice
 from stochgeom.sensing.plan_tasks import PlanTask, Sensors
 from stochgeom.sensing.planners import ends_by_cost, plan_for_cost
 from stochgeom.sensing.tree_nodes import Leaf, Wording, mass_of
-from stochgeom.sensing.tree_search import tree_size
+from stochgeom.sensing.tree_search import check_tree_size
 
 MOST_NODES: Final = 10_000
 """Nodes that a whole tree may have, unless told otherwise."""
@@ -148,14 +148,14 @@ def all_sensor_plans(
     sensors : Sensor, or several, or mapping from labels
         What may be looked at.
     horizon : int
-        Most moves on any way through the tree, sensings included.
+        Most moves on any way through the tree, sensings included; at most 300.
     node_limit : int, default 10,000
         Most nodes.
 
     Raises
     ------
     NodeLimitError
-        If the tree has more nodes; says how many.
+        If the tree may have more nodes; says how many if every reading is possible everywhere.
     SensorError, ShapeMismatchError, MixedNumbersError
         As for `plan_for_cost`.
     NoPlanError
@@ -181,16 +181,10 @@ def all_sensor_plans(
     >>> tree, tree.expected_cost, tree.best_plans
     (<AndOrTree: 11 nodes, 13 plans>, mpq(1,8), 1)
     """
+    check_problem(problem)
     decisions, prices, round_cost = ends_by_cost(problem)
     task = PlanTask(problem, sensors, decisions, prices, horizon, None, node_limit)
-    readings = sum(any(column) for s in task.sensors.values() for column in s.columns)
-    size = tree_size(task.stages, len(problem.actions), readings)
-    if size > node_limit:
-        raise NodeLimitError(
-            f"{horizon} moves of {len(problem.actions)} actions and {readings} readings make a "
-            f"tree of {size} nodes; accepted: up to {node_limit}, or another node limit",
-            where="horizon",
-        )
+    check_tree_size(task.stages, len(problem.actions), task.sensors.values(), node_limit)
     cost = None if problem.cost is None else plan_for_cost(problem, sensors, horizon).expected_cost
     price = cost if round_cost is not None or cost is None else 1
     price = IrrationalPrice(price) if isinstance(price, SumQuotient) else price

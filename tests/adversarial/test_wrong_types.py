@@ -192,15 +192,14 @@ class TestDecision:
         assert_refuses(lambda: sg.SensingProblem(part, accepted=1.5), "accepted: 1.5")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, 1, 1), "sensors: 1")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, blind, stages="act"), "'act'")
-        for horizon in (
-            "2",
-            None,
-            1.5,
-            -1,
-            10**9,
-            10**400,
-        ):  # a tuple so long would fill the memory
+        for horizon in ("2", None, 1.5, -1, 301, 10**9, 10**400):
             assert_refuses(lambda h=horizon: sg.iterative_sensor_plan(problem, blind, h), "horizon")
+        for limit in ("5", 0, 1.5):
+            assert_refuses(
+                lambda n=limit: sg.iterative_sensor_plan(problem, blind, 1, node_limit=n),
+                "node limit",
+            )
+        assert_refuses(lambda: sg.all_sensor_plans(3, blind, 1), "3 is of type int")
         assert_refuses(lambda: sg.expected_entropy(None), "None is of type NoneType")
 
 
