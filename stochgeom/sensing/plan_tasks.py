@@ -18,12 +18,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from numbers import Real
 from time import monotonic
 from typing import Any, Final, TypeAlias
 
 from gmpy2 import mpq
 
-from stochgeom.arguments import as_count, as_list
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
@@ -101,7 +102,7 @@ class PlanTask:
         moves = len(self.stages)
         best: PlanTree | None = None
         if time_limit is not None:
-            search.deadline = monotonic() + time_limit
+            search.deadline = monotonic() + expect(time_limit, Real, "seconds", "time limit")
         complete = self.good_enough is None
         for depth in range(moves + 1) if time_limit is not None else [moves]:
             try:

@@ -239,7 +239,7 @@ class SensingProblem(Displayed):
         7.4164 6.3023
         5.0018 5.1314
         """
-        as_count(actions, "actions", least=0)
+        actions = as_count(actions, "actions", least=0)
         squeezes = ["act"] * actions
 
         def best(stages: Sequence[str]) -> SensorPlan:

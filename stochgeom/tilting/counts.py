@@ -89,8 +89,8 @@ class TransitionCounts:
         RecordingError
             If a trial names a state or action that does not exist, or a negative count.
         """
-        for what, number in (("states", states), ("actions", actions)):
-            as_count(number, what, most=MOST_KINDS, error=RecordingError)
+        states = as_count(states, "states", most=MOST_KINDS, error=RecordingError)
+        actions = as_count(actions, "actions", most=MOST_KINDS, error=RecordingError)
         listed: list[Any] = as_list(trials, "a list of trials", "trials", RecordingError)
         table = np.zeros((actions, states, states + other), dtype=np.int64)
         for k, trial in enumerate(listed):

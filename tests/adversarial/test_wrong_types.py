@@ -297,6 +297,22 @@ class TestTheDoor:
         assert_refuses(lambda: as_count(-1, "turns", least=0), "-1 turns", "from 0 on")
         assert_refuses(lambda: as_count(10**5000, "turns", most=3), "turns")
 
+    def test_numbers_of_numpy_are_computed_with_as_int(self, part, problem, model):
+        """What is refused or accepted is also what is used: int8 would overflow."""
+        small = np.int8
+        assert sg.wilson_interval(small(100), small(120)) == sg.wilson_interval(100, 120)
+        assert sg.regular_bound(small(5), "1/4") == sg.regular_bound(5, "1/4")
+        assert len(sg.cells_between([], np.int64(4))) == 4
+        assert sg.FeedingProblem(part).plan_of(np.int64(1)).steps == 1
+        goal = sg.GoalCost(problem.states[0])
+        found = sg.random_plan(problem, small(100), goal, tries=small(100), seed=small(1))
+        assert found.nodes <= 10_000
+        assert sg.best_tilt_plan(model, 1, 2, small(1)) == sg.best_tilt_plan(model, 1, 2, 1)
+        assert_refuses(lambda: sg.FeedingProblem(part).plan_of(int), "<class 'int'> steps")
+
+    def test_a_list_with_a_number_that_cannot_be_written(self):
+        assert_refuses(lambda: as_count([10**5000], "turns"), "a list with an int of too many")
+
     def test_errors_of_an_iterator_are_its_own(self):
         def broken():
             yield 1
