@@ -29,7 +29,7 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         source = Path(os.fsdecode(path))
     except TypeError:
         raise ReadError(f"{path!r:.60} is no path; accepted: text, or a pathlib.Path") from None
-    place = showable(str(source))
+    place = showable(os.fsdecode(path)) or "''"
     try:
         with source.open("rb") as file:
             content = file.read(MAX_BYTES + 1)

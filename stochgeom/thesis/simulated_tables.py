@@ -18,7 +18,7 @@ from stochgeom.thesis.chapter_6 import (
     PRINTED_SD_TILTS,
     unanimous_trials,
 )
-from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable, SquareRoot
+from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable, square_root
 from stochgeom.tilting.all_plans import best_tilt_plans
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.experiment import EXECUTIONS, TRIALS, measure_tilt_plans
@@ -79,7 +79,7 @@ def tilt_table(
             "",
             "standard deviation of these",
             PRINTED_SD_TILTS,
-            SquareRoot(variance),
+            square_root(variance),
             "",
             "",
         ),
