@@ -159,6 +159,8 @@ class TestDecision:
         assert_refuses(lambda: sg.cyclic_difference(1, 2), "1; accepted")
         assert_refuses(lambda: sg.circular_variance([90], [1]), "orientation 0: 90")
         assert_refuses(lambda: sg.circular_variance([QUARTER], []), "0 probabilities")
+        for shares in (["1/2", "3/2"], ["-1", "2"]):
+            assert_refuses(lambda p=shares: sg.circular_variance([QUARTER] * 2, p), "probabilities")
         assert_refuses(lambda: sg.PlanningProblem.from_matrices(1, []), "prior: 1")
         assert_refuses(lambda: sg.PlanningProblem.from_matrices([1], 1), "matrices: 1")
         assert_refuses(lambda: sg.Rounds("one"), "'one'")
@@ -312,6 +314,15 @@ class TestTheDoor:
 
     def test_a_list_with_a_number_that_cannot_be_written(self):
         assert_refuses(lambda: as_count([10**5000], "turns"), "a list with an int of too many")
+
+    def test_sources_of_priors(self):
+        assert_refuses(lambda: sg.load_prior(3), "source: 3 is of type int, not str")
+
+    def test_an_array_of_no_dimension_is_no_trial(self):
+        trials = np.array([[1, 1, 2]])
+        assert list(TransitionCounts.from_trials(trials, 2, 2).trials()) == [(1, 1, 2, 1)]
+        for trial in (np.array(5), trials):
+            assert_refuses(lambda t=trial: TransitionCounts.from_trials([t], 2, 2), "trial 0")
 
     def test_errors_of_an_iterator_are_its_own(self):
         def broken():
