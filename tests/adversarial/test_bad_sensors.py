@@ -235,9 +235,10 @@ class TestParts:
         with pytest.raises(SensorError, match="from 3 to 3; accepted: an increasing pair"):
             diameter_sensor(RECTANGLE, 2, between=(3, 3))
 
-    def test_fewer_squeezes_than_none(self):
-        with pytest.raises(InputError, match="-1 actions"):
-            SensingProblem(RECTANGLE).compare_orders(-1)
+    @pytest.mark.parametrize("actions", [-1, 300, 10**12])
+    def test_squeezes_that_no_plan_has(self, actions):
+        with pytest.raises(InputError, match=f"{actions} actions; accepted: .* from 0 to 299"):
+            SensingProblem(RECTANGLE).compare_orders(actions)
 
     def test_sensors_that_cannot_be_fused(self):
         a = Sensor.perfect(["a", "b"])
