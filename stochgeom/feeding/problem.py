@@ -211,11 +211,14 @@ class FeedingProblem(Displayed):
         InputError
             If `steps` is below 1, or so many steps do no better than fewer.
         """
-        steps = as_count(steps, "steps")
-        longest = self.preimages.of_steps(steps).steps
-        if longest < steps:
+        try:
+            count = as_count(steps, "steps")
+        except InputError:  # what is accepted depends on the part
+            count = 0
+        if not count or self.preimages.of_steps(count).steps < count:
+            longest = max(preimage.steps for preimage in self.preimages)
             raise InputError(f"{shown(steps)} steps; accepted: 1 to {longest} for this part")
-        return self._plan(self.preimages.found()[:steps], cost_ratio)
+        return self._plan(self.preimages.found()[:count], cost_ratio)
 
     def _plan(self, chain: Sequence[Preimage], cost_ratio: RationalLike) -> FeedingPlan:
         return FeedingPlan(

@@ -83,7 +83,7 @@ def test_the_default_name(capsys, tmp_path, monkeypatch):
         (["nowhere"], "nowhere: neither a part of the catalogue nor a file"),
         ([], "neither SOURCE nor --vertices given"),
         (["house", "--steps", "9"], "--steps: 9 steps; accepted: 1 to 2 for this part"),
-        (["house", "--steps", "0"], "--steps: 0 steps; accepted: whole numbers from 1 on"),
+        (["house", "--steps", "0"], "--steps: 0 steps; accepted: 1 to 2 for this part"),
         (["house", "--steps", "two"], "--steps: 'two' steps; accepted: whole numbers from 1"),
         (["house", "--steps", "-1"], "--steps: '-1' steps; accepted: whole numbers from 1"),
         (["house", "--digits", "many"], "--digits: 'many' decimals"),
