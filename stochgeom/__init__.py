@@ -96,6 +96,7 @@ _NAMES = {
     "io.load": "load_part",
     "io.outlines": "parse_outline read_outline",
     "io.pomdp_file": "write_pomdp",
+    "io.priors": "load_prior",
     "io.problem_json": "load_problem problem_document",
     "io.recordings": "load_recording",
     "plotting.analysis_pictures": "draw_analysis draw_phase_one draw_push_grasp_analysis",

@@ -126,6 +126,7 @@ from stochgeom.io.load import load_part as load_part
 from stochgeom.io.outlines import parse_outline as parse_outline
 from stochgeom.io.outlines import read_outline as read_outline
 from stochgeom.io.pomdp_file import write_pomdp as write_pomdp
+from stochgeom.io.priors import load_prior as load_prior
 from stochgeom.io.problem_json import load_problem as load_problem
 from stochgeom.io.problem_json import problem_document as problem_document
 from stochgeom.io.recordings import load_recording as load_recording

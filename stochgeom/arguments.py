@@ -32,9 +32,11 @@ def shown(value: object) -> str:
     """
     try:
         text = repr(value)
-    except ValueError:  # an int with more digits than Python writes
-        bits = value.bit_length() if isinstance(value, int) else "too many"
-        text = f"an {type(value).__name__} of {bits} bits"
+    except ValueError:  # an int with more digits than Python writes, perhaps within a list
+        if isinstance(value, int):
+            text = f"an int of {value.bit_length()} bits"
+        else:
+            text = f"a {type(value).__name__} with an int of too many digits"
     return " ".join(text.split())[:_SHOWN]
 
 
@@ -85,7 +87,7 @@ def as_count(
     """
     try:
         count = None if isinstance(value, bool) else int(value.__index__())
-    except (AttributeError, TypeError):  # TypeError: a class instead of a value, or an array
+    except (AttributeError, TypeError):  # TypeError: a class, or an array of several
         count = None
     if count is None or count < least or (most is not None and count > most):
         end = "on" if most is None else f"to {most}"

@@ -64,5 +64,8 @@ def read_count(text: str, option: str, least: int = 1) -> int:
     2000
     """
     if re.fullmatch(r"[0-9]{1,15}", text) is None or int(text) < least:
-        raise InputError(f"{text[:60]!r}; accepted: whole numbers from {least} on", where=option)
+        most = ", of at most 15 digits" if text.isdecimal() and len(text) > 15 else ""
+        raise InputError(
+            f"{text[:60]!r}; accepted: whole numbers from {least} on{most}", where=option
+        )
     return int(text)

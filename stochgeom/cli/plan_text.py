@@ -52,7 +52,7 @@ def _orients(plan: FeedingPlan) -> str:
 def _convention(plan: FeedingPlan) -> str:
     lines = [
         "Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges",
-        "are rounded inwards, so all of them works as printed.",
+        "are rounded inwards, so they work as printed.",
     ]
     if plan.transfer.order > 1:
         lines[1] += " Up to symmetry means: of the"

@@ -118,8 +118,8 @@ def left_out(names: Sequence[str]) -> list[str]:
     """Return the long experiments that are not among the names, in the order of the source."""
     from stochgeom.thesis.reproductions import REPRODUCTIONS, place_of
 
-    return sorted({name for name, item in REPRODUCTIONS.items() if item.long} - {*names},
-                  key=place_of)  # fmt: skip
+    experiments = {name for name, item in REPRODUCTIONS.items() if item.long}
+    return sorted(experiments - {*names}, key=place_of)
 
 
 def _need_extras(names: Sequence[str], *, pictures: bool) -> None:

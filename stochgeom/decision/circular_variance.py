@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 
 from stochgeom.arguments import as_list, expect
 from stochgeom.decision.angle_products import Cosine, product
+from stochgeom.decision.distributions import distribution
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_costs import CostModel, PlanCost, Prices
 from stochgeom.decision.probabilities import Enclosed
@@ -37,7 +38,6 @@ from stochgeom.errors import CostError, ShapeMismatchError
 from stochgeom.exact.angle_base import AngleBase
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, QUARTER_TURN, Angle
 from stochgeom.exact.independent_sums import RootSum
-from stochgeom.exact.scalars import rational
 from stochgeom.exact.sums import AngleSum
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class VarianceModel(CostModel):
         if self.problem.numbers is NumberKind.FLOAT:
             mean = np.asarray(hyperstate) @ self._vectors
             return float(spent + 1.0 - mean @ mean)
-        return circular_variance(self._orientations, hyperstate) + self.floor(spent)
+        return _variance(self._orientations, list(hyperstate)) + self.floor(spent)
 
     def floor(self, spent: Any) -> Any:
         """Return what is spent."""
@@ -149,6 +149,13 @@ def circular_variance(orientations: Iterable[Angle], probabilities: Iterable[Any
         Exact where the probabilities are rational and the orientations differ by rational
         directions; otherwise enclosed, and equal to another if equal term by term.
 
+    Raises
+    ------
+    NotStochasticError
+        If a probability is negative, or their sum is not 1.
+    ShapeMismatchError
+        If there are not as many of them as orientations.
+
     Examples
     --------
     >>> opposite = [Angle(), Angle.from_degrees(180)]
@@ -160,7 +167,11 @@ def circular_variance(orientations: Iterable[Angle], probabilities: Iterable[Any
     angles = as_list(orientations, "a list of angles", "orientations")
     for k, angle in enumerate(angles):
         expect(angle, Angle, "an Angle", f"orientation {k}")
-    shares = _shares(probabilities, len(angles))
+    return _variance(angles, _shares(probabilities, len(angles)))
+
+
+def _variance(angles: list[Angle], shares: list[Any]) -> Any:
+    """Return V of a distribution that is one."""
     cosines = None if any(isinstance(p, AngleSum) for p in shares) else _cosines(angles)
     if cosines is None:
         return _enclosed([(a, p) for a, p in zip(angles, shares, strict=True) if p])
@@ -180,7 +191,9 @@ def _shares(probabilities: Iterable[Any], count: int) -> list[Any]:
         raise ShapeMismatchError(
             f"{len(shares)} probabilities; accepted: {count}, one for each orientation"
         )
-    return [p if isinstance(p, AngleSum) else rational(p, where="probabilities") for p in shares]
+    sums = any(isinstance(p, AngleSum) for p in shares)
+    kind = NumberKind.ANGLE_SUMS if sums else NumberKind.RATIONAL
+    return distribution(shares, kind, "probabilities")
 
 
 def _cosines(angles: list[Angle]) -> dict[tuple[int, int], tuple[mpq, Any]] | None:

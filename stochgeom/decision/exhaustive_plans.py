@@ -26,6 +26,10 @@ _BLOCK: Final = 1 << 13
 """Beginnings that are extended at once: more would not fit a processor's cache."""
 
 
+_BEYOND: Final = 12
+"""Actions beyond the largest horizon that is possible, up to which plans are counted to be told."""
+
+
 def count_plans(actions: int, horizon: int, shortest: int = 1) -> int:
     """Return the number of plans of `shortest` to `horizon` actions.
 
@@ -37,25 +41,42 @@ def count_plans(actions: int, horizon: int, shortest: int = 1) -> int:
     return sum(actions**k for k in range(shortest, horizon + 1))
 
 
+def fitting_horizon(actions: int, horizon: int, shortest: int, node_limit: int) -> int:
+    """Return the largest horizon, up to a given one, with no more plans than the limit.
+
+    Examples
+    --------
+    >>> fitting_horizon(12, 10**9, 1, 1_000_000), fitting_horizon(12, 3, 1, 1_000_000)
+    (5, 3)
+    """
+    total = 0
+    for length in range(shortest, horizon + 1):
+        total += actions**length
+        if total > node_limit:
+            return length - 1
+    return horizon
+
+
 def check_count(actions: int, horizon: int, shortest: int, node_limit: int) -> int:
     """Return the number of plans if it is within the limit.
 
     Raises
     ------
     NodeLimitError
-        If it is not; the number is told, and the largest horizon within the limit.
+        If it is not; the number is told unless it is huge, and the largest horizon within the
+        limit.
     """
-    total = count_plans(actions, horizon, shortest)
-    if total > node_limit:
-        fits = horizon
-        while fits and count_plans(actions, fits, shortest) > node_limit:
-            fits -= 1
+    fits = fitting_horizon(actions, horizon, shortest, node_limit)
+    if fits < horizon:
+        shown = min(horizon, fits + _BEYOND)
+        more = "more than " if shown < horizon else ""
         raise NodeLimitError(
-            f"{actions} actions make {total} plans of at most {horizon}, the limit is {node_limit} "
-            f"nodes; accepted: a horizon of at most {fits}, or a higher limit",
+            f"{actions} actions make {more}{count_plans(actions, shown, shortest)} plans of at "
+            f"most {horizon}, the limit is {node_limit} nodes; accepted: a horizon of at most "
+            f"{max(fits, 0)}, or a higher limit",
             where="horizon",
         )
-    return total
+    return count_plans(actions, horizon, shortest)
 
 
 def every_plan(
@@ -71,8 +92,8 @@ def every_plan(
     [0, 1, 2]
     """
     check_problem(problem)
-    as_count(horizon, "actions", least=0, where="horizon")
-    as_count(shortest, "actions", least=0, where="shortest")
+    horizon = as_count(horizon, "actions", least=0, where="horizon")
+    shortest = as_count(shortest, "actions", least=0, where="shortest")
     pending: list[tuple[tuple[Any, ...], Vector]] = [((), problem.prior)]
     while pending:
         plan, hyperstate = pending.pop()

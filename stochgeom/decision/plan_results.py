@@ -5,8 +5,10 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Final, final
 
+from stochgeom.arguments import as_count, expect
 from stochgeom.decision.infinity import is_infinite
 from stochgeom.decision.planning_problem import PlanningProblem, Vector
 from stochgeom.errors import InputError, ProblemError
@@ -99,13 +101,10 @@ class Limits:
         time_limit: float | None = None,
         progress: Callable[[float], object] | None = None,
     ) -> None:
-        if node_limit < 1 or (time_limit is not None and not time_limit > 0):
-            raise InputError(
-                f"a limit of {node_limit} nodes"
-                + ("; " if time_limit is None else f" and {time_limit} seconds; ")
-                + "accepted: at least 1 node, more than 0 seconds"
-            )
-        self.node_limit, self._time_limit, self._progress = node_limit, time_limit, progress
+        self.node_limit = as_count(node_limit, "nodes", where="node limit")
+        if time_limit is not None and not expect(time_limit, Real, "seconds", "time limit") > 0:
+            raise InputError(f"{time_limit} seconds; accepted: more than 0", where="time limit")
+        self._time_limit, self._progress = time_limit, progress
         self._start = time.monotonic()
         self.reason: str | None = None
         """Which limit came first; None: none yet."""

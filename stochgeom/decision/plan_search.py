@@ -17,8 +17,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, final
 
+from stochgeom.arguments import as_count
 from stochgeom.decision.branch_and_bound import BestFirst
-from stochgeom.decision.exhaustive_plans import count_plans, exhaustive_search
+from stochgeom.decision.exhaustive_plans import exhaustive_search, fitting_horizon
 from stochgeom.decision.plan_costs import CostModel, PlanCost
 from stochgeom.decision.plan_results import METHODS, NODE_LIMIT, Limits, PlanResult, model_of
 from stochgeom.decision.planning_problem import PlanningProblem, Vector
@@ -97,7 +98,7 @@ def find_plan(
     (('turn',), mpq(3,1), True)
     """
     model = model_of(problem, cost)
-    _check(model, horizon, shortest, method, threshold)
+    horizon = _read_horizon(model, horizon, shortest, method, threshold)
     limits = Limits(node_limit, time_limit, progress)
     threshold = None if threshold is None else model.as_cost(threshold)
     chosen = _default(model, horizon, shortest, node_limit, threshold) if method is None else method
@@ -140,13 +141,14 @@ def _default(
     problem = model.problem
     if problem.exact or horizon is None or threshold is not None:
         return "best-first"
-    total = count_plans(len(problem.actions), horizon, shortest)
-    return "exhaustive" if total <= node_limit else "best-first"
+    fits = fitting_horizon(len(problem.actions), horizon, shortest, node_limit)
+    return "exhaustive" if fits == horizon else "best-first"
 
 
-def _check(
+def _read_horizon(
     model: CostModel, horizon: int | None, shortest: int, method: str | None, threshold: Any
-) -> None:
+) -> int | None:
+    """Return the horizon as an int, if there is one; refuse what does not go together."""
     if method is not None and method not in METHODS:
         raise InputError(f"method {method!r}; accepted: {', '.join(METHODS)}")
     if shortest not in (0, 1):
@@ -161,8 +163,8 @@ def _check(
                 "no horizon, and an action is free: nothing bounds the length of a plan; accepted: "
                 "a horizon, or prices above 0"
             )
-    elif horizon < shortest:
-        raise InputError(f"{horizon} actions; accepted: {shortest} or more", where="horizon")
+        return None
+    return as_count(horizon, "actions", least=shortest, where="horizon")
 
 
 # --- breadth first -------------------------------------------------------------------------------

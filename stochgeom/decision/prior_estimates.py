@@ -92,7 +92,7 @@ def cells_between(mouths: Iterable[Arc], bins: int = 1) -> tuple[Arc, ...]:
     >>> [(cell.start.degrees(0), cell.width.degrees(0)) for cell in cells]
     [('0', '10'), ('10', '40'), ('50', '310')]
     """
-    as_count(bins, "bins", most=MAX_BINS, error=PriorError)
+    bins = as_count(bins, "bins", most=MAX_BINS, error=PriorError)
     mouths = as_list(mouths, "a list of arcs", "mouths")
     for k, mouth in enumerate(mouths):
         expect(mouth, Arc, "an Arc", f"mouth {k}")

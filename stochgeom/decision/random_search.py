@@ -58,7 +58,7 @@ def random_plan(
     Raises
     ------
     InputError
-        If the horizon or the number of tries is below 1.
+        If the horizon or the number of tries is below 1, or the seed below 0.
 
     Examples
     --------
@@ -73,8 +73,8 @@ def random_plan(
     >>> found.cost <= mpq(1, 4), found.reason
     (True, 'threshold')
     """
-    as_count(horizon, "actions", where="horizon")
-    as_count(tries, "tries")
+    horizon, tries = as_count(horizon, "actions", where="horizon"), as_count(tries, "tries")
+    seed = as_count(seed, "as a seed", least=0)
     model = model_of(problem, cost)
     limits = Limits(tries * horizon, time_limit, progress)
     enough = None if threshold is None else model.as_cost(threshold)

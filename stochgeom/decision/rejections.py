@@ -44,14 +44,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from operator import index
-from typing import Any, Final, SupportsIndex, final
+from typing import Any, Final, final
 
 import numpy as np
 from gmpy2 import mpq
 from numpy.typing import NDArray
 
-from stochgeom.arguments import as_list, expect
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.decision.prior_estimates import PriorEstimate, round_to_sum_one
 from stochgeom.decision.priors import as_share
 from stochgeom.errors import InputError, PriorError
@@ -81,7 +80,8 @@ class Observation:
 
     def __post_init__(self) -> None:
         for name in ("accepted", "rejected"):
-            object.__setattr__(self, name, _as_count(getattr(self, name), name))
+            count = as_count(getattr(self, name), "parts", least=0, error=PriorError, where=name)
+            object.__setattr__(self, name, count)
 
 
 @final
@@ -306,16 +306,6 @@ class Rejections:
 
 def _is_angle(cell: Angle | Arc) -> bool:
     return isinstance(cell, Angle)
-
-
-def _as_count(value: SupportsIndex, name: str) -> int:
-    try:
-        count = index(value)
-    except TypeError:
-        count = -1
-    if count < 0:
-        raise PriorError(f"{name} = {value!r}; accepted: whole numbers, 0 or more")
-    return count
 
 
 def _cells_inside(cells: tuple[Angle | Arc, ...], mouth: Arc, k: int) -> frozenset[int]:

@@ -81,10 +81,9 @@ def simulated_difference(
     >>> bool(abs(np.exp(1j * found).mean()) < 0.05)  # no direction is preferred
     True
     """
-    as_count(count, "draws")
-    as_count(seed, "as a seed", least=0)
+    count = as_count(count, "draws")
     expect(y, Callable, "a function of a generator and a count", "y")
-    source = np.random.default_rng(seed)
+    source = np.random.default_rng(as_count(seed, "as a seed", least=0))
     turns: NDArray[np.float64] = source.uniform(0, 2 * np.pi, count)
     difference: NDArray[np.float64] = (y(source, count) - turns) % (2 * np.pi)
     return difference

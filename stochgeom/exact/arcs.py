@@ -134,7 +134,7 @@ def union_arcs(arcs: Iterable[Arc], period: Angle = FULL_TURN) -> tuple[Arc, ...
     for k, arc in enumerate(arcs):
         expect(arc, Arc, "an Arc", f"arc {k}")
     if not ZERO < expect(period, Angle, "an Angle", "period") <= FULL_TURN:
-        raise InvalidAngleError(f"{period!r:.60}; accepted: an Angle up to 360°", where="period")
+        raise InvalidAngleError(f"{period!r:.60}; accepted: above 0, up to 360°", where="period")
     pieces = sorted((p for arc in arcs for p in arc.split(period)), key=lambda piece: piece.start)
     joined: list[tuple[Angle, Angle]] = []
     for piece in pieces:

@@ -102,7 +102,5 @@ def printed_margin(actions: Iterable[Action], digits: int = 4) -> str | None:
             distances += [angle - low, high - angle]
     if not distances:
         return None
-    least = min(distances)
-    if not least:  # an angle given at the closed end of its range
-        return rational_decimal(least, digits)
+    least = min(distances)  # above 0: a printed angle is below its printed upper end
     return significant(lambda d: rational_decimal(least, d, Rounding.DOWN), digits)

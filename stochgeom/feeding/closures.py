@@ -18,13 +18,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, final
 
+from stochgeom.arguments import as_list, expect, shown
 from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, HALF_TURN, Angle
 from stochgeom.exact.arcs import Arc, ClosedArc
 from stochgeom.exact.directions import nominal_angle
 from stochgeom.feeding.plans import FeedingPlan
 
-ACCEPTED: Final = "accepted: two arcs apart from each other that the plan brings to one orientation"
+ACCEPTED: Final = "two arcs apart from each other that the plan brings to one orientation"
 
 
 @final
@@ -73,7 +74,8 @@ def closure_of(plan: FeedingPlan, arcs: Sequence[Arc] | None = None) -> Closure:
     Raises
     ------
     InputError
-        If there are not two arcs, they touch or overlap, or do not end in one orientation.
+        If there are not two arcs, they overlap, nothing is between them, or they do not end in one
+        orientation.
 
     Notes
     -----
@@ -90,8 +92,7 @@ def closure_of(plan: FeedingPlan, arcs: Sequence[Arc] | None = None) -> Closure:
     >>> [image.start.degrees(0) for image in closure.images[-1]]
     ['180', '180', '180']
     """
-    if not isinstance(plan, FeedingPlan):
-        raise InputError(f"{plan!r:.60} is no FeedingPlan; accepted: one, as of plan_feeding(part)")
+    expect(plan, FeedingPlan, "a FeedingPlan, such as plan_feeding(part)", "plan")
     first, last = _ends_of_the_mouth(plan) if arcs is None else _two_apart(arcs)
     # Within a full turn after the start of the first arc.
     last = last.rotate((last.start - first.start).reduced() - (last.start - first.start))
@@ -101,24 +102,26 @@ def closure_of(plan: FeedingPlan, arcs: Sequence[Arc] | None = None) -> Closure:
     elif here != there:
         raise InputError(
             f"the plan brings one arc to {here.reduced()}, the other to {there.reduced()}; "
-            f"{ACCEPTED}",
+            f"accepted: {ACCEPTED}",
             where="arcs",
         )
     if first.end == last.start:
-        raise InputError(f"the arcs touch at {first.end.reduced()}; {ACCEPTED}", where="arcs")
+        raise InputError(
+            f"the arcs touch at {first.end.reduced()}; accepted: {ACCEPTED}", where="arcs"
+        )
     gap = Arc(first.end, last.start - first.end)
     runs = [plan.execute_arc(arc) for arc in (first, gap, last)]
     return Closure(first, gap, last, tuple(zip(*runs, strict=True)))
 
 
 def _two_apart(arcs: Sequence[Arc]) -> tuple[Arc, Arc]:
-    listed: list[object] = list(arcs) if hasattr(arcs, "__iter__") else [arcs]
+    listed = as_list(arcs, ACCEPTED, "arcs")
     if len(listed) != 2 or not all(isinstance(arc, Arc) for arc in listed):
-        raise InputError(f"{arcs!r:.60} is no pair of Arcs; {ACCEPTED}", where="arcs")
-    first, last = arcs
+        raise InputError(f"{shown(listed)} is no pair of Arcs; accepted: {ACCEPTED}", where="arcs")
+    first, last = listed
     if first.intersects(last):
         place = last.start if first.contains(last.start) else first.start
-        raise InputError(f"both hold {place.reduced()}; {ACCEPTED}", where="arcs")
+        raise InputError(f"both hold {place.reduced()}; accepted: {ACCEPTED}", where="arcs")
     return first, last
 
 
@@ -128,7 +131,7 @@ def _collapsed(plan: FeedingPlan, arc: Arc) -> Angle:
     if final.width:
         raise InputError(
             f"the plan does not collapse the arc of {arc.width} from {arc.start.reduced()}: its "
-            f"image is {final.width} wide; {ACCEPTED}",
+            f"image is {final.width} wide; accepted: {ACCEPTED}",
             where="arcs",
         )
     return final.start

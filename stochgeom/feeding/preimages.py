@@ -173,7 +173,7 @@ class Preimages(Displayed):
         InputError
             If `steps` is below 1.
         """
-        as_count(steps, "steps")
+        steps = as_count(steps, "steps")
         while len(self._found) < steps and not (self._stalled or self.complete):
             self._extend()
         return self._found[min(steps, len(self._found)) - 1]

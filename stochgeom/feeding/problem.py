@@ -13,11 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Final, SupportsIndex, final
+from typing import TYPE_CHECKING, Final, final
 
 from gmpy2 import mpq
 
-from stochgeom.arguments import shown
+from stochgeom.arguments import as_count, shown
 from stochgeom.decision.costs import Number, as_cost_ratio, expected_cost
 from stochgeom.display import Displayed
 from stochgeom.errors import InputError, NoPlanError, PriorError
@@ -211,12 +211,14 @@ class FeedingProblem(Displayed):
         InputError
             If `steps` is below 1, or so many steps do no better than fewer.
         """
-        given: object = steps
-        whole = isinstance(given, SupportsIndex) and not isinstance(given, bool)
-        if not whole or steps < 1 or self.preimages.of_steps(steps).steps < steps:
+        try:
+            count = as_count(steps, "steps")
+        except InputError:  # what is accepted depends on the part
+            count = 0
+        if not count or self.preimages.of_steps(count).steps < count:
             longest = max(preimage.steps for preimage in self.preimages)
             raise InputError(f"{shown(steps)} steps; accepted: 1 to {longest} for this part")
-        return self._plan(self.preimages.found()[:steps], cost_ratio)
+        return self._plan(self.preimages.found()[:count], cost_ratio)
 
     def _plan(self, chain: Sequence[Preimage], cost_ratio: RationalLike) -> FeedingPlan:
         return FeedingPlan(

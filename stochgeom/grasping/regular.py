@@ -45,7 +45,7 @@ def regular_bound(n: int, mu: FrictionLike) -> AngleSum:
     >>> regular_bound(13, "1/4").decimal(), regular_bound(14, "1/4").decimal()
     ('0.0000', '0.0000')
     """
-    as_count(n, "sides", least=LEAST_SIDES, error=TooFewVerticesError)
+    n = as_count(n, "sides", least=LEAST_SIDES, error=TooFewVerticesError)
     alpha = Friction.of(mu).angle
     if not alpha:
         return AngleSum(1)

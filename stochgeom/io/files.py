@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
+from stochgeom.arguments import expect
 from stochgeom.errors import FormatError, ReadError, StochgeomError, WriteError
 from stochgeom.io.rings import showable
 
@@ -29,7 +30,7 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         source = Path(os.fsdecode(path))
     except TypeError:
         raise ReadError(f"{path!r:.60} is no path; accepted: text, or a pathlib.Path") from None
-    place = showable(str(source))
+    place = showable(os.fsdecode(path)) or "''"
     try:
         with source.open("rb") as file:
             content = file.read(MAX_BYTES + 1)
@@ -91,9 +92,12 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
 
     Raises
     ------
+    InputError
+        If the path is none.
     WriteError
         If the folder is missing or not writable; what stood there before still does.
     """
+    expect(path, str | os.PathLike, "the path of a file", "file")
     temporary: str | None = None
     try:
         data = content.encode("utf-8") if isinstance(content, str) else content

@@ -28,6 +28,7 @@ from typing import Any, Final
 
 from gmpy2 import mpq
 
+from stochgeom.arguments import expect
 from stochgeom.decision.density_priors import VonMises, WrappedNormal
 from stochgeom.decision.discrete_prior import DiscretePrior
 from stochgeom.decision.mixture_prior import MixturePrior
@@ -79,6 +80,7 @@ def load_prior(source: str, tell: Tell | None = None) -> Prior:
     >>> load_prior("normal:10,2.5").describe()
     'normal, mean 10.0000°, standard deviation 2.5000°'
     """
+    expect(source, str, "a known word, or a file's path as text", "source")
     word, colon, rest = source.partition(":")
     if source == "uniform":
         return uniform_prior()
@@ -108,6 +110,7 @@ def parse_prior(text: str, tell: Tell | None = None) -> Prior:
     >>> parse_prior("12.5\n40 3  # seen three times\n").describe()
     'discrete, 2 orientations'
     """
+    expect(text, str, "text", "prior")
     if text.lstrip("\ufeff \t\r\n").startswith(("{", "[")):
         read = _Entries(text.count(","), tell)
         return _from_json(load_json(text.lstrip("\ufeff"), ACCEPTED), "", 0, read)

@@ -72,7 +72,7 @@ def frame_of_reference(subject: Subject) -> str:
         "Angles are counter-clockwise. An action turns the gripper by its angle relative to the "
         "gripper's last pose, closes it and opens it again. An orientation is that of the part "
         "relative to the gripper. Ranges are open below and closed above, hold whatever the other "
-        "actions do inside theirs, and are rounded inwards: all of them works as printed."
+        "actions do inside theirs, and are rounded inwards: they work as printed."
     )
     if subject.plan.prior is not None:
         words += (

@@ -16,18 +16,16 @@ from functools import cached_property
 from math import prod
 from typing import Any, Final, final
 
-from stochgeom.arguments import as_count
 from stochgeom.decision.number_kinds import NumberKind
 from stochgeom.decision.plan_results import check_problem
 from stochgeom.decision.planning_problem import PlanningProblem
 from stochgeom.display import Displayed
-from stochgeom.errors import NodeLimitError
 from stochgeom.exact.quotients import SumQuotient, number_sign
 from stochgeom.sensing.irrational_prices import IrrationalPrice
 from stochgeom.sensing.plan_tasks import PlanTask, Sensors
 from stochgeom.sensing.planners import ends_by_cost, plan_for_cost
 from stochgeom.sensing.tree_nodes import Leaf, Wording, mass_of
-from stochgeom.sensing.tree_search import tree_size
+from stochgeom.sensing.tree_search import check_tree_size
 
 MOST_NODES: Final = 10_000
 """Nodes that a whole tree may have, unless told otherwise."""
@@ -125,7 +123,8 @@ class AndOrTree(Displayed):
 
     def __repr__(self) -> str:
         nodes = sum(1 for _ in self.nodes())
-        return f"<AndOrTree: {nodes} nodes, {self.plans} plans>"
+        plural = "s" * (nodes != 1), "s" * (self.plans != 1)
+        return f"<AndOrTree: {nodes} node{plural[0]}, {self.plans} plan{plural[1]}>"
 
 
 def _count(node: Choice, chosen: Callable[[Choice], Iterable[int]]) -> int:
@@ -150,14 +149,14 @@ def all_sensor_plans(
     sensors : Sensor, or several, or mapping from labels
         What may be looked at.
     horizon : int
-        Most moves on any way through the tree, sensings included.
+        Most moves on any way through the tree, sensings included; at most 300.
     node_limit : int, default 10,000
         Most nodes.
 
     Raises
     ------
     NodeLimitError
-        If the tree has more nodes; says how many.
+        If the tree may have more nodes; says how many if every reading is possible everywhere.
     InputError
         If the horizon or the node limit is no whole number.
     ProblemError, SensorError, ShapeMismatchError, MixedNumbersError
@@ -186,17 +185,9 @@ def all_sensor_plans(
     (<AndOrTree: 11 nodes, 13 plans>, mpq(1,8), 1)
     """
     check_problem(problem)
-    node_limit = as_count(node_limit, "as the node limit", where="node_limit")
     decisions, prices, round_cost = ends_by_cost(problem)
     task = PlanTask(problem, sensors, decisions, prices, horizon, None, node_limit)
-    readings = sum(any(column) for s in task.sensors.values() for column in s.columns)
-    size = tree_size(task.stages, len(problem.actions), readings)
-    if size > node_limit:
-        raise NodeLimitError(
-            f"{horizon} moves of {len(problem.actions)} actions and {readings} readings make a "
-            f"tree of {size} nodes; accepted: up to {node_limit}, or another node limit",
-            where="horizon",
-        )
+    check_tree_size(task.stages, len(problem.actions), task.sensors.values(), node_limit)
     cost = None if problem.cost is None else plan_for_cost(problem, sensors, horizon).expected_cost
     price = cost if round_cost is not None or cost is None else 1
     price = IrrationalPrice(price) if isinstance(price, SumQuotient) else price

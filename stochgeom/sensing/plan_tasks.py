@@ -18,22 +18,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from numbers import Real
 from time import monotonic
 from typing import Any, Final, TypeAlias
 
 from gmpy2 import mpq
 
-from stochgeom.arguments import as_count, as_list
+from stochgeom.arguments import as_count, as_list, expect
 from stochgeom.decision.labels import Labels, named
 from stochgeom.decision.number_kinds import NumberKind, read_number
 from stochgeom.decision.planning_problem import PlanningProblem
-from stochgeom.errors import (
-    InputError,
-    NodeLimitError,
-    NoPlanError,
-    SensorError,
-    ShapeMismatchError,
-)
+from stochgeom.errors import InputError, NoPlanError, SensorError, ShapeMismatchError
 from stochgeom.exact.decimals import Rounding, certified_decimal
 from stochgeom.exact.quotients import SumQuotient, quotient
 from stochgeom.sensing.decisions import Decisions
@@ -45,6 +40,9 @@ from stochgeom.sensing.tree_search import STAGES, OutOfTimeError, TreeSearch
 
 Sensors: TypeAlias = "Sensor | Iterable[Sensor] | Mapping[Any, Sensor]"
 """One sensor, several, or several with labels."""
+
+MOST_MOVES: Final = 300
+"""Moves on a way through a tree; each of them takes frames of Python's stack, which has 1000."""
 
 _PRICE_DIGITS: Final = 20
 """Decimals of the rational prices that enclose an irrational one."""
@@ -78,8 +76,8 @@ class PlanTask:
         self.sensors = {
             label: _fitting(sensor, label, problem) for label, sensor in labelled(sensors).items()
         }
-        self.stages = _stages(horizon, stages, node_limit)
-        self.node_limit = node_limit
+        self.stages = _stages(horizon, stages)
+        self.node_limit = as_count(node_limit, "nodes", where="node limit")
 
     def number(self, value: Any, where: str) -> Any:
         """Return a number of the problem's kind."""
@@ -104,7 +102,7 @@ class PlanTask:
         moves = len(self.stages)
         best: PlanTree | None = None
         if time_limit is not None:
-            search.deadline = monotonic() + time_limit
+            search.deadline = monotonic() + expect(time_limit, Real, "seconds", "time limit")
         complete = self.good_enough is None
         for depth in range(moves + 1) if time_limit is not None else [moves]:
             try:
@@ -261,23 +259,15 @@ def _fitting(sensor: Sensor, label: Any, problem: PlanningProblem) -> Sensor:
     return sensor.to_float() if sensor.exact and not problem.exact else sensor
 
 
-def _stages(horizon: int | None, stages: Sequence[str] | None, node_limit: int) -> tuple[str, ...]:
-    """Return what each move may be, from a horizon or from a list.
-
-    A horizon beyond the node limit is refused before it becomes a list of that length.
-    """
+def _stages(horizon: int | None, stages: Sequence[str] | None) -> tuple[str, ...]:
+    """Return what each move may be, from a horizon or from a list."""
     if (horizon is None) == (stages is None):
         raise InputError("neither or both of a horizon and stages; accepted: one of them")
     if stages is None:
-        moves = as_count(horizon, "moves", least=0, where="horizon")
-        if moves > node_limit:
-            raise NodeLimitError(
-                f"{moves} moves make a tree of more than {node_limit} nodes; accepted: fewer, or "
-                "another node limit",
-                where="horizon",
-            )
+        moves = as_count(horizon, "moves", least=0, most=MOST_MOVES, where="horizon")
         return ("any",) * moves
     stages = as_list(stages, f"a list of {', '.join(STAGES)}", "stages")
+    as_count(len(stages), "of them", least=0, most=MOST_MOVES, where="stages")
     for stage in stages:
         if stage not in STAGES:
             raise InputError(f"{stage!r}; accepted: {', '.join(STAGES)}", where="stages")

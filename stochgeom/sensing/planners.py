@@ -59,7 +59,7 @@ def sensor_plan(
         What may be looked at, as often as one likes; each costs its own cost. Of none: plans that
         do not look.
     horizon : int, optional
-        Most moves on any way through the tree, sensings included.
+        Most moves on any way through the tree, sensings included; at most 300.
     stages : sequence of str, optional
         Instead of the horizon: for each move in turn ``"any"``, ``"act"`` or ``"sense"``.
     action_costs : number, or mapping from actions, optional

@@ -100,9 +100,8 @@ def sampled_sensor(
     ['227/250', '23/250']
     """
     expect(sensor, Sensor, "a Sensor, such as Sensor.noisy(states, '1/10')")
-    as_count(times, "readings", error=SensorError, where="times")
-    as_count(seed, "as a seed", least=0)
-    chance = random.Random(seed)
+    times = as_count(times, "readings", error=SensorError, where="times")
+    chance = random.Random(as_count(seed, "as a seed", least=0))
     counts = {
         state: Counter(sensor.readings[_draw(row, chance)] for _ in range(times))
         for state, row in zip(sensor.states, sensor.likelihood, strict=True)

@@ -28,6 +28,7 @@ from stochgeom.sensing.diameter_sensor import (
     sensor_of_diameters,
 )
 from stochgeom.sensing.one_step import OneStepPlan, one_step_plan
+from stochgeom.sensing.plan_tasks import MOST_MOVES
 from stochgeom.sensing.planners import iterative_sensor_plan
 from stochgeom.sensing.sensor_plan import SensorPlan
 from stochgeom.sensing.tree_search import NODE_LIMIT
@@ -222,7 +223,7 @@ class SensingProblem(Displayed):
         Parameters
         ----------
         actions : int
-            Most squeezes after the first one, 0 or more.
+            Most squeezes after the first one, from 0 to 299.
         mixed : SensorPlan, optional
             The plan of ``actions + 1`` moves of any kind, if it is known.
         **settings
@@ -239,7 +240,7 @@ class SensingProblem(Displayed):
         7.4164 6.3023
         5.0018 5.1314
         """
-        as_count(actions, "actions", least=0)
+        actions = as_count(actions, "actions", least=0, most=MOST_MOVES - 1)  # and a look
         squeezes = ["act"] * actions
 
         def best(stages: Sequence[str]) -> SensorPlan:

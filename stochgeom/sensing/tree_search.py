@@ -23,7 +23,7 @@ from one price to the next.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from time import monotonic
 from typing import Any, Final, final
@@ -41,6 +41,9 @@ from stochgeom.sensing.tree_nodes import Act, Leaf, Node, Sense
 
 NODE_LIMIT: Final = 1_000_000
 """Nodes that the tree of all plans may have, unless told otherwise."""
+
+_WRITTEN_OUT: Final = 30
+"""Digits of a number of nodes that an error writes out."""
 
 STAGES: Final = ("any", "act", "sense")
 """What a move may be."""
@@ -103,6 +106,28 @@ def tree_size(stages: Sequence[str], actions: int, readings: int) -> int:
     return total
 
 
+def check_tree_size(
+    stages: Sequence[str], actions: int, sensors: Iterable[Sensor], node_limit: int
+) -> None:
+    """Refuse a problem whose tree of all plans may have more nodes than the limit.
+
+    Raises
+    ------
+    NodeLimitError
+        If it may; says how many. Readings that are not possible everywhere count everywhere.
+    """
+    readings = sum(any(column) for sensor in sensors for column in sensor.columns)
+    size = tree_size(stages, actions, readings)
+    if size > node_limit:
+        power = len(str(size)) - 1
+        nodes = str(size) if power < _WRITTEN_OUT else f"more than 10^{power}"
+        raise NodeLimitError(
+            f"{len(stages)} moves of {actions} actions and {readings} readings make a tree of "
+            f"{nodes} nodes; accepted: up to {node_limit}, or another node limit",
+            where="horizon",
+        )
+
+
 @final
 class TreeSearch:
     """The search for plans of one problem, to be asked with several prices.
@@ -158,15 +183,7 @@ class TreeSearch:
         self._sums = problem.numbers is NumberKind.ANGLE_SUMS
         self.deadline: float | None = None
         self.report: Callable[[float], None] | None = None
-        readings = sum(any(column) for s in self._sensors for column in s.columns)
-        size = tree_size(stages, len(problem.actions), readings)
-        if size > node_limit:
-            raise NodeLimitError(
-                f"{len(self._stages)} moves of {len(problem.actions)} actions and {readings} "
-                f"readings make a tree of {size} nodes; accepted: up to {node_limit}, or another "
-                "node limit",
-                where="horizon",
-            )
+        check_tree_size(self._stages, len(problem.actions), self._sensors, node_limit)
         self._points: dict[tuple[Any, ...], _Point] = {}
         self.root = self._point(self._prior())
         self._price: Any = 1

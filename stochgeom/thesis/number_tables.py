@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Final, TypeAlias, final
 
-from gmpy2 import is_square, isqrt, mpq
+from gmpy2 import mpq
 
-from stochgeom.exact.balls import rational_ball
-from stochgeom.exact.decimals import certified_decimal, rational_decimal
+from stochgeom.exact.decimals import rational_decimal
+from stochgeom.exact.independent_sums import RootSum
 from stochgeom.thesis.appendix_g import FIGURES_G
 from stochgeom.thesis.chapter_6 import (
     FIGURE_6_4_ERRATA,
@@ -41,6 +41,18 @@ class Verdict(Enum):
     OPEN = "open"
 
 
+def square_root(square: mpq) -> RootSum:
+    """Return the root of a rational number from 0 on, such as a variance.
+
+    Examples
+    --------
+    >>> square_root(mpq(2)).decimal(3), square_root(mpq(9, 16)).rational, square_root(mpq(0)) == 0
+    ('1.414', mpq(3,4), True)
+    """
+    n, d = square.numerator, square.denominator
+    return RootSum(0, [(mpq(1, d), n * d)] if n else [])
+
+
 @final
 @dataclass(frozen=True, slots=True)
 class ExactNumber:
@@ -57,27 +69,6 @@ class ExactNumber:
     def decimal(self, digits: int = 4) -> str:
         """Return the number as a correctly rounded decimal."""
         return rational_decimal(self.value, digits)
-
-
-@final
-@dataclass(frozen=True, slots=True)
-class SquareRoot:
-    """The root of a rational number, such as a standard deviation.
-
-    Examples
-    --------
-    >>> SquareRoot(mpq(2)).decimal(3), SquareRoot(mpq(9, 16)).decimal(2)
-    ('1.414', '0.75')
-    """
-
-    square: mpq
-
-    def decimal(self, digits: int = 4) -> str:
-        """Return the number as a correctly rounded decimal."""
-        n, d = self.square.numerator, self.square.denominator
-        if is_square(n) and is_square(d):
-            return rational_decimal(mpq(isqrt(n), isqrt(d)), digits)
-        return certified_decimal(lambda: rational_ball(self.square).sqrt(), digits)
 
 
 @final

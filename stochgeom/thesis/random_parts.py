@@ -21,7 +21,7 @@ from stochgeom.feeding.preimages import preimages
 from stochgeom.geometry.hull import convex_hull
 from stochgeom.geometry.part import Part
 from stochgeom.geometry.points import Points
-from stochgeom.thesis.number_tables import ExactNumber, NumberTable, SquareRoot
+from stochgeom.thesis.number_tables import ExactNumber, NumberTable, square_root
 from stochgeom.thesis.tables import Cell
 from stochgeom.transfer.squeeze import squeeze_function
 
@@ -141,7 +141,7 @@ def searched_parts(title: str, count: int = SOURCE_PARTS, tell: Tell | None = No
             tell((index + 1) / count)
     sides = mpq(sum(trial.sides for trial in trials), count)
     spread = mpq(sum((trial.sides - sides) ** 2 for trial in trials)) / count
-    error = SquareRoot(spread / SOURCE_PARTS)
+    error = square_root(spread / SOURCE_PARTS)
     solved = mpq(100 * sum(trial.solved for trial in trials), count)
     by_tree = mpq(100 * sum(t.solved and t.generated <= NODE_LIMIT for t in trials), count)
     rows = (

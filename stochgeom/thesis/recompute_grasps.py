@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from fractions import Fraction
 from itertools import pairwise
 from typing import Final
 
@@ -145,6 +147,12 @@ def _pieces_the_sweep_misses(part: Part) -> tuple[int, int]:
     return missed, len(pieces)
 
 
+def _larger(turns: Iterable[Fraction], widest: Fraction) -> list[list[Fraction]]:
+    """Return the turns that are larger, in degrees, counted one way and counted the other way."""
+    listed = list(turns)
+    return [[t for t in (sense * turn % 360 for turn in listed) if t > widest] for sense in (1, -1)]
+
+
 def angles_of_figure_e_5() -> Facts:
     """Show that the printed angles cannot belong to the printed distributions.
 
@@ -158,14 +166,7 @@ def angles_of_figure_e_5() -> Facts:
     error = half_unit(printed[0])
     turns = [after - before for before, after in pairwise([fraction("0"), *values])]
     widest = (fraction("0.28") + half_unit("0.28")) * 360
-    too_wide = [
-        [t for t in (sense * turn % 360 for turn in turns) if t - 2 * error > widest]
-        for sense in (1, -1)
-    ]
-    alone = [
-        [t for t in (sense * value % 360 for value in values) if t - error > widest]
-        for sense in (1, -1)
-    ]
+    too_wide, alone = _larger(turns, widest + 2 * error), _larger(values, widest + error)
     low, high = 2 * (values[0] + error), (values[1] - error) - (values[0] + error)
     ours = [
         a.low + a.high for a in evolution.plan.actions if a.low is not None and a.high is not None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import partial
 
 from stochgeom.exact.angles import HALF_TURN, ZERO, Angle
 from stochgeom.geometry.diameter import DiameterFunction
@@ -21,18 +20,15 @@ def sign_of_the_potential() -> Facts:
     for name in catalogue_names():
         d = DiameterFunction(catalogue_part(name))
         for low in d.minima:
-            beside = sorted(d.maxima, key=partial(_distance, low))[:2]
+            above_it = min((high - low) % HALF_TURN for high in d.maxima)
+            below_it = min((low - high) % HALF_TURN for high in d.maxima)
+            beside = (low + above_it, low - below_it)
             is_minimum = all(d.potential(low) < d.potential(high) for high in beside)
             below, above = below + is_minimum, above + (not is_minimum)
     return (
         equal("stable orientations whose d^2 / 2 is not below that of the maxima beside", above, 0),
         Fact("of all parts, those where it is", str(below), below > 0),
     )
-
-
-def _distance(theta: Angle, other: Angle) -> Angle:
-    """Return how far apart two orientations are, read modulo half a turn."""
-    return min((other - theta) % HALF_TURN, (theta - other) % HALF_TURN)
 
 
 def stable_orientations() -> Facts:

@@ -18,7 +18,7 @@ from stochgeom.thesis.chapter_6 import (
     PRINTED_SD_TILTS,
     unanimous_trials,
 )
-from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable, SquareRoot
+from stochgeom.thesis.number_tables import Entry, ExactNumber, NumberTable, square_root
 from stochgeom.tilting.all_plans import best_tilt_plans
 from stochgeom.tilting.estimation import TransitionModel
 from stochgeom.tilting.experiment import EXECUTIONS, TRIALS, measure_tilt_plans
@@ -61,29 +61,7 @@ def tilt_table(
         )
         for printed, found in zip(PRINTED_PLANS, measured, strict=True)
     ]
-    best = [plan.steps for plan in best_tilt_plans(model).values()]
-    mean = mpq(sum(best), len(best))
-    variance = sum((steps - mean) ** 2 for steps in best) / (len(best) - 1)
-    rows += [
-        (
-            "",
-            "",
-            f"mean tilts, best plans of {len(best)} instances",
-            PRINTED_MEAN_TILTS,
-            ExactNumber(mean),
-            "",
-            "",
-        ),
-        (
-            "",
-            "",
-            "standard deviation of these",
-            PRINTED_SD_TILTS,
-            SquareRoot(variance),
-            "",
-            "",
-        ),
-    ]
+    rows += _tilts_of_all_instances(model)
     header = ("start", "goal", "plan", "source", "estimated", "source", "measured")
     notes = (
         (
@@ -97,6 +75,19 @@ def tilt_table(
         _one_tilt_note(),
     )
     return NumberTable(title, header, tuple(rows), notes)
+
+
+def _tilts_of_all_instances(model: TransitionModel) -> list[tuple[Entry, ...]]:
+    """Return the mean and the deviation of the numbers of tilts of the best plans (6.4)."""
+    tilts = [plan.steps for plan in best_tilt_plans(model).values()]
+    mean = mpq(sum(tilts), len(tilts))
+    variance = sum((steps - mean) ** 2 for steps in tilts) / (len(tilts) - 1)
+    title = f"mean tilts, best plans of {len(tilts)} instances"
+    spread = square_root(variance)
+    return [
+        ("", "", title, PRINTED_MEAN_TILTS, ExactNumber(mean), "", ""),
+        ("", "", "standard deviation of these", PRINTED_SD_TILTS, spread, "", ""),
+    ]
 
 
 def _one_tilt_note() -> str:

@@ -78,7 +78,7 @@ def best_tilt_plan(
     >>> best_tilt_plan(TransitionModel(seen), 1, 3)
     <TiltPlan 1 to 3: (1 2), probability 0.9956>
     """
-    start, goal = read_instance(model, start, goal, most_tilts)
+    start, goal, most_tilts = read_instance(model, start, goal, most_tilts)
     actions = usable_actions(model, observed_only=observed_only)
     levels = plan_levels(model, start, actions, most_tilts)
     return _best_of(model, levels, actions, start, goal)
@@ -95,7 +95,7 @@ def best_tilt_plans(
 
     `tell` is called with the share of work done, for a progress bar.
     """
-    read_instance(model, 1, 1, most_tilts)
+    _, _, most_tilts = read_instance(model, 1, 1, most_tilts)
     actions = usable_actions(model, observed_only=observed_only)
     states = range(1, model.counts.states + 1)
     found = {}

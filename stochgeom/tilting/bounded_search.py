@@ -19,7 +19,7 @@ from typing import Final, final
 
 from gmpy2 import mpq
 
-from stochgeom.errors import InputError
+from stochgeom.arguments import as_count
 from stochgeom.tilting.estimation import Row, TransitionModel
 from stochgeom.tilting.tilt_plans import (
     Distribution,
@@ -88,9 +88,8 @@ def bounded_tilt_search(
     >>> found.plan, found.nodes < found.of, found.complete
     (<TiltPlan 1 to 3: (1 2), probability 0.9956>, True, True)
     """
-    start, goal = read_instance(model, start, goal, most_tilts)
-    if node_limit < 1:
-        raise InputError(f"a limit of {node_limit} nodes; accepted: 1 or more")
+    start, goal, most_tilts = read_instance(model, start, goal, most_tilts)
+    node_limit = as_count(node_limit, "nodes", where="node limit")
     actions = usable_actions(model, observed_only=observed_only)
     search = _Search(model, goal, actions, most_tilts)
     search.run(start, node_limit)

@@ -89,13 +89,15 @@ class TransitionCounts:
         RecordingError
             If a trial names a state or action that does not exist, or a negative count.
         """
-        for what, number in (("states", states), ("actions", actions)):
-            as_count(number, what, most=MOST_KINDS, error=RecordingError)
+        states = as_count(states, "states", most=MOST_KINDS, error=RecordingError)
+        actions = as_count(actions, "actions", most=MOST_KINDS, error=RecordingError)
         listed: list[Any] = as_list(trials, "a list of trials", "trials", RecordingError)
         table = np.zeros((actions, states, states + other), dtype=np.int64)
         for k, trial in enumerate(listed):
             place = f"trial {k}" if places is None else places[k]
-            size = len(trial) if isinstance(trial, Sequence | np.ndarray) else None
+            # Rows of an array are arrays of one dimension; one of none has no length.
+            is_row = isinstance(trial, Sequence) or getattr(trial, "ndim", 0) == 1
+            size = len(trial) if is_row else None
             if size not in (3, 4):
                 found = f"{trial!r:.60}" if size is None else f"{size} entries"
                 raise RecordingError(

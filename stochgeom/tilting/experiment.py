@@ -199,7 +199,7 @@ def trials_study(
     """
     expect(robot, SimulatedRobot, "a SimulatedRobot")
     sizes = [as_count(size, "trials") for size in as_list(sizes, "numbers of trials", "sizes")]
-    as_count(executions, "executions")
+    executions = as_count(executions, "executions")
     if not sizes:
         raise InputError("no numbers of trials; accepted: one or more")
     steps, done = len(sizes) + 1, 0

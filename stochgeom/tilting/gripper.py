@@ -32,7 +32,6 @@ from stochgeom.errors import SimulationError, TrayError
 from stochgeom.geometry.part import Part, as_part
 from stochgeom.tilting.intervals import wilson_interval
 from stochgeom.tilting.physics import Floor, load_engine
-from stochgeom.tilting.robot import check_whole
 from stochgeom.tilting.tray import GRAVITY
 
 if TYPE_CHECKING:  # an extra: loaded where a trial runs
@@ -101,7 +100,7 @@ class SimulatedGripper:
         for name in ("friction", "table_friction"):
             if not 0 <= getattr(self, name) < math.inf:
                 raise TrayError(f"{getattr(self, name)}; accepted: 0 or more", where=name)
-        for name in ("speed", "force", "time_step", "iterations", "flush_degrees"):
+        for name in ("speed", "force", "time_step", "flush_degrees"):
             if not 0 < getattr(self, name) < math.inf:
                 raise TrayError(f"{getattr(self, name)}; accepted: above 0", where=name)
         if self.time_step > 0.01:
@@ -175,8 +174,8 @@ def random_grasps(
     >>> random_grasps(square, SimulatedGripper(sliding_jaw=True), 10, seed=1).stable
     10
     """
-    check_whole(count, 1, "trials")
-    check_whole(seed, 0, "seed")
+    count = as_count(count, "trials", error=TrayError, where="trials")
+    seed = as_count(seed, "as a seed", least=0, error=TrayError, where="seed")
     grasps = []
     for number in range(count):
         random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))

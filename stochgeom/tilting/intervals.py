@@ -35,8 +35,8 @@ def wilson_interval(successes: int, trials: int, level: float = 0.95) -> tuple[f
     >>> [round(end, 4) for end in wilson_interval(250, 250)]
     [0.9849, 1.0]
     """
-    as_count(trials, "trials")
-    as_count(successes, "successes", least=0, most=trials)
+    trials = as_count(trials, "trials")
+    successes = as_count(successes, "successes", least=0, most=trials)
     check_level(level)
     z = NormalDist().inv_cdf((1 + level) / 2)
     share, spread = successes / trials, z * z / trials

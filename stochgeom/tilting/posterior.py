@@ -82,7 +82,7 @@ def sample_matrices(model: TransitionModel, draws: int, seed: int = 0) -> Floats
     ((2000, 1, 2, 2), '0.74')
     """
     expect(model, TransitionModel, "TransitionModel(counts)")
-    as_count(draws, "draws")
+    draws = as_count(draws, "draws")
     random = np.random.default_rng(as_count(seed, "as a seed", least=0))
     actions, states, width = model.counts.table.shape
     found = np.zeros((draws, actions, width, width))
@@ -115,9 +115,8 @@ def sampled_probabilities(
             "x outcomes"
         )
     first, last = (numbered(state, matrices.shape[-1], "state") for state in (start, goal))
-    tilts = [
-        numbered(action, matrices.shape[1], "action") for action in as_list(actions, "actions")
-    ]
+    listed = as_list(actions, "a list of tilts", "actions")
+    tilts = [numbered(action, matrices.shape[1], "action") for action in listed]
     weights = np.zeros(matrices.shape[:1] + matrices.shape[-1:])
     weights[:, first - 1] = 1.0
     for action in tilts:
@@ -183,7 +182,7 @@ def predictive_check(
         raise RecordingError(
             f"counts of shape {counts.table.shape}; accepted: {model.counts.table.shape}"
         )
-    as_count(draws, "draws")
+    draws = as_count(draws, "draws")
     random = np.random.default_rng(as_count(seed, "as a seed", least=0))
     found = []
     for a, i in np.argwhere(counts.table.sum(axis=2) > 0):

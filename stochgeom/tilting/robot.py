@@ -13,11 +13,11 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from multiprocessing import get_context
-from typing import Any, Final, TypeAlias, final
+from typing import Final, TypeAlias, final
 
 import numpy as np
 
-from stochgeom.arguments import expect
+from stochgeom.arguments import as_count, expect
 from stochgeom.errors import SimulationError, TrayError
 from stochgeom.tilting.counts import OTHER, Outcome, TransitionCounts, Trial, numbered
 from stochgeom.tilting.physics import Tilt, load_engine, slide_tile
@@ -65,7 +65,7 @@ class SimulatedRobot:
 
     def __post_init__(self) -> None:
         expect(self.setup, TraySetup, "a TraySetup", "setup")
-        check_whole(self.seed, 0, "seed")
+        as_count(self.seed, "as a seed", least=0, error=TrayError, where="seed")
 
     def trials(
         self, count: int, *, jobs: int = 1, tell: Callable[[float], None] | None = None
@@ -180,8 +180,8 @@ def _run(
     tell: Callable[[float], None] | None,
 ) -> list[list[tuple[Outcome, ...]]]:
     """Run `count` trials of each plan, in batches that any process may take."""
-    check_whole(count, 1, "trials")
-    check_whole(jobs, 1, "jobs")
+    count = as_count(count, "trials", error=TrayError, where="trials")
+    jobs = as_count(jobs, "processes", error=TrayError, where="jobs")
     load_engine()  # its absence is better told here than by a process
     batches = [range(k, min(k + _BATCH, count)) for k in range(0, count, _BATCH)]
     work: list[Job] = [
@@ -221,9 +221,3 @@ def run_batch(job: Job) -> list[tuple[Outcome, ...]]:
         except SimulationError as error:
             raise SimulationError(error.message, where=f"seed {seed}, trial {number}") from None
     return found
-
-
-def check_whole(value: Any, least: int, what: str) -> None:
-    """Refuse what is no whole number from `least` on."""
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise TrayError(f"{value!r}; accepted: whole numbers from {least} on", where=what)

@@ -99,7 +99,7 @@ def shortest_path_tilt_plan(
     expect(model, TransitionModel, "TransitionModel(counts)")
     n = model.counts.states
     horizon = n - 1 if most_tilts is None else most_tilts
-    start, goal = read_instance(model, start, goal, horizon)
+    start, goal, horizon = read_instance(model, start, goal, horizon)
     if edges is None:
         edges = likeliest_tilts(model, usable_actions(model, observed_only=observed_only))
     # Invariant: reached[i] is the best path of at most so many tilts, as (-product, tilts, plan).

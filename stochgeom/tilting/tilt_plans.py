@@ -8,8 +8,8 @@ from typing import TypeAlias, final
 
 from gmpy2 import mpq
 
-from stochgeom.arguments import as_list, expect
-from stochgeom.errors import InputError, RecordingError
+from stochgeom.arguments import as_count, as_list, expect
+from stochgeom.errors import RecordingError
 from stochgeom.exact.decimals import rational_decimal
 from stochgeom.tilting.counts import numbered
 from stochgeom.tilting.estimation import TransitionModel
@@ -137,16 +137,13 @@ def evaluate_tilt_plan(
 
 
 def read_instance(
-    model: TransitionModel, start: int, goal: int, most_tilts: object
-) -> tuple[int, int]:
-    """Return the states as int; refuse those that do not exist, and what is no number of tilts."""
+    model: TransitionModel, start: int, goal: int, most_tilts: int
+) -> tuple[int, int, int]:
+    """Return the states and the number of tilts as int; refuse what is none."""
     expect(model, TransitionModel, "TransitionModel(counts)")
     first = numbered(start, model.counts.states, "start")
     last = numbered(goal, model.counts.states, "goal")
-    whole = isinstance(most_tilts, int) and not isinstance(most_tilts, bool)
-    if not whole or most_tilts < 0:  # type: ignore[operator]
-        raise InputError(f"at most {most_tilts!r} tilts; accepted: whole numbers from 0 on")
-    return first, last
+    return first, last, as_count(most_tilts, "tilts", least=0, where="most tilts")
 
 
 def usable_actions(model: TransitionModel, *, observed_only: bool) -> tuple[int, ...]:

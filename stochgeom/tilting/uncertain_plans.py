@@ -117,7 +117,7 @@ def best_expected_tilt_plan(
     Where no tilt is repeated the plug-in probability is the expected one, and plans are compared as
     in `best_tilt_plan`; the others are summed over their paths.
     """
-    start, goal = read_instance(model, start, goal, most_tilts)
+    start, goal, most_tilts = read_instance(model, start, goal, most_tilts)
     usable = usable_actions(model, observed_only=observed_only)
     levels = plan_levels(model, start, usable, most_tilts)
     words = [

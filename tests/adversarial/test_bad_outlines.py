@@ -334,6 +334,7 @@ class TestFiles:
     def test_a_number_is_no_path(self):
         for value in (0, None, 1.5, []):
             assert_refuses(read_outline, value, ReadError, None, f"{value!r} is no path")
+        assert_refuses(read_outline, "", ReadError, "''", "cannot be read")
 
     def test_an_empty_file(self, tmp_path):
         path = tmp_path / "empty.txt"

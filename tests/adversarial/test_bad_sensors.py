@@ -22,11 +22,13 @@ from stochgeom.errors import (
     ShapeMismatchError,
     UnknownLabelError,
 )
+from stochgeom.sensing.and_or_tree import all_sensor_plans
 from stochgeom.sensing.calibration import calibration_problem
 from stochgeom.sensing.decisions import accept_groups, accept_one_of, lose_by_table
 from stochgeom.sensing.diameter_sensor import diameter_sensor
 from stochgeom.sensing.one_step import one_step_plan
-from stochgeom.sensing.planners import iterative_sensor_plan, sensor_plan
+from stochgeom.sensing.plan_tasks import MOST_MOVES
+from stochgeom.sensing.planners import iterative_sensor_plan, plan_for_cost, sensor_plan
 from stochgeom.sensing.recognition import RecognitionProblem
 from stochgeom.sensing.sensing_problem import SensingProblem
 from stochgeom.sensing.sensor_design import fuse_sensors
@@ -149,6 +151,28 @@ class TestPlans:
         with pytest.raises(InputError, match="horizon"):
             iterative_sensor_plan(COIN, Sensor.perfect(["a", "b"]), horizon)
 
+    def test_as_many_moves_as_the_stack_bears(self):
+        """One move at each node: the node limit does not end this tree, its depth does."""
+        halving = PlanningProblem(
+            ["away", "goal"],
+            [1, 0],
+            ["try"],
+            [[["1/2", "1/2"], [0, 1]]],
+            AdditiveCost(states={"away": 1}),
+        )
+        assert plan_for_cost(halving, {}, MOST_MOVES).expected_cost == mpq(1, 2**MOST_MOVES)
+        assert all_sensor_plans(halving, {}, MOST_MOVES).plans == MOST_MOVES + 1
+        stages = ["act"] * (MOST_MOVES + 1)
+        for planner in (plan_for_cost, all_sensor_plans):
+            with pytest.raises(InputError, match=r"horizon: 301 moves; accepted: .* from 0 to 300"):
+                planner(halving, {}, MOST_MOVES + 1)
+        with pytest.raises(InputError, match=r"stages: 301 of them; accepted: .* to 300"):
+            plan_for_cost(halving, {}, stages=stages)
+
+    def test_a_size_of_hundreds_of_digits_is_not_written_out(self):
+        with pytest.raises(NodeLimitError, match=r"a tree of more than 10\^143 nodes; accepted"):
+            iterative_sensor_plan(COIN, Sensor.perfect(["a", "b"]), 300)
+
     def test_horizon_and_stages(self):
         sensor = Sensor.perfect(["a", "b"])
         with pytest.raises(InputError, match="one of them"):
@@ -211,9 +235,10 @@ class TestParts:
         with pytest.raises(SensorError, match="from 3 to 3; accepted: an increasing pair"):
             diameter_sensor(RECTANGLE, 2, between=(3, 3))
 
-    def test_fewer_squeezes_than_none(self):
-        with pytest.raises(InputError, match="-1 actions"):
-            SensingProblem(RECTANGLE).compare_orders(-1)
+    @pytest.mark.parametrize("actions", [-1, 300, 10**12])
+    def test_squeezes_that_no_plan_has(self, actions):
+        with pytest.raises(InputError, match=f"{actions} actions; accepted: .* from 0 to 299"):
+            SensingProblem(RECTANGLE).compare_orders(actions)
 
     def test_sensors_that_cannot_be_fused(self):
         a = Sensor.perfect(["a", "b"])

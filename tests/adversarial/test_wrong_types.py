@@ -159,6 +159,8 @@ class TestDecision:
         assert_refuses(lambda: sg.cyclic_difference(1, 2), "1; accepted")
         assert_refuses(lambda: sg.circular_variance([90], [1]), "orientation 0: 90")
         assert_refuses(lambda: sg.circular_variance([QUARTER], []), "0 probabilities")
+        for shares in (["1/2", "3/2"], ["-1", "2"]):
+            assert_refuses(lambda p=shares: sg.circular_variance([QUARTER] * 2, p), "probabilities")
         assert_refuses(lambda: sg.PlanningProblem.from_matrices(1, []), "prior: 1")
         assert_refuses(lambda: sg.PlanningProblem.from_matrices([1], 1), "matrices: 1")
         assert_refuses(lambda: sg.Rounds("one"), "'one'")
@@ -192,15 +194,14 @@ class TestDecision:
         assert_refuses(lambda: sg.SensingProblem(part, accepted=1.5), "accepted: 1.5")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, 1, 1), "sensors: 1")
         assert_refuses(lambda: sg.iterative_sensor_plan(problem, blind, stages="act"), "'act'")
-        for horizon in (
-            "2",
-            None,
-            1.5,
-            -1,
-            10**9,
-            10**400,
-        ):  # a tuple so long would fill the memory
+        for horizon in ("2", None, 1.5, -1, 301, 10**9, 10**400):
             assert_refuses(lambda h=horizon: sg.iterative_sensor_plan(problem, blind, h), "horizon")
+        for limit in ("5", 0, 1.5):
+            assert_refuses(
+                lambda n=limit: sg.iterative_sensor_plan(problem, blind, 1, node_limit=n),
+                "node limit",
+            )
+        assert_refuses(lambda: sg.all_sensor_plans(3, blind, 1), "3 is of type int")
         assert_refuses(lambda: sg.expected_entropy(None), "None is of type NoneType")
 
 
@@ -297,6 +298,31 @@ class TestTheDoor:
         assert_refuses(lambda: as_count(4, "turns", most=3), "4 turns", "from 1 to 3")
         assert_refuses(lambda: as_count(-1, "turns", least=0), "-1 turns", "from 0 on")
         assert_refuses(lambda: as_count(10**5000, "turns", most=3), "turns")
+
+    def test_numbers_of_numpy_are_computed_with_as_int(self, part, problem, model):
+        """What is refused or accepted is also what is used: int8 would overflow."""
+        small = np.int8
+        assert sg.wilson_interval(small(100), small(120)) == sg.wilson_interval(100, 120)
+        assert sg.regular_bound(small(5), "1/4") == sg.regular_bound(5, "1/4")
+        assert len(sg.cells_between([], np.int64(4))) == 4
+        assert sg.FeedingProblem(part).plan_of(np.int64(1)).steps == 1
+        goal = sg.GoalCost(problem.states[0])
+        found = sg.random_plan(problem, small(100), goal, tries=small(100), seed=small(1))
+        assert found.nodes <= 10_000
+        assert sg.best_tilt_plan(model, 1, 2, small(1)) == sg.best_tilt_plan(model, 1, 2, 1)
+        assert_refuses(lambda: sg.FeedingProblem(part).plan_of(int), "<class 'int'> steps")
+
+    def test_a_list_with_a_number_that_cannot_be_written(self):
+        assert_refuses(lambda: as_count([10**5000], "turns"), "a list with an int of too many")
+
+    def test_sources_of_priors(self):
+        assert_refuses(lambda: sg.load_prior(3), "source: 3 is of type int, not str")
+
+    def test_an_array_of_no_dimension_is_no_trial(self):
+        trials = np.array([[1, 1, 2]])
+        assert list(TransitionCounts.from_trials(trials, 2, 2).trials()) == [(1, 1, 2, 1)]
+        for trial in (np.array(5), trials):
+            assert_refuses(lambda t=trial: TransitionCounts.from_trials([t], 2, 2), "trial 0")
 
     def test_errors_of_an_iterator_are_its_own(self):
         def broken():

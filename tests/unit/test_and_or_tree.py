@@ -76,7 +76,7 @@ class TestRefusals:
             sg.all_sensor_plans(COIN, EYE, 10)
 
     def test_a_horizon_beyond_all_trees_is_refused_at_once(self):
-        with pytest.raises(NodeLimitError, match="1000000000000 moves"):
+        with pytest.raises(InputError, match="1000000000000 moves; accepted"):
             sg.all_sensor_plans(COIN, EYE, 10**12)
 
     @pytest.mark.parametrize("horizon", [-1, "2", 1.0, True, None])
@@ -86,7 +86,7 @@ class TestRefusals:
 
     @pytest.mark.parametrize("limit", [0, "9", 9.5, True, None])
     def test_bad_node_limits(self, limit):
-        with pytest.raises(InputError, match="as the node limit; accepted: whole numbers from 1"):
+        with pytest.raises(InputError, match=r"^node limit: .* nodes; accepted: whole numbers"):
             sg.all_sensor_plans(COIN, EYE, 1, node_limit=limit)
 
     @pytest.mark.parametrize("problem", [5, "coin", None, sg.catalogue_part("house")])

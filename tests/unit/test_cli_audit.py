@@ -81,6 +81,7 @@ def test_a_disagreement_stops_and_is_written_down(capsys, tmp_path, monkeypatch)
         (["--families", "none such"], "family 'none such'; accepted: long plans, "),
         (["--count", "0"], "0 parts of each family; accepted: 1 or more"),
         (["--count", "many"], "--count: 'many'; accepted: whole numbers from 0 on"),
+        (["--seed", "9" * 16], "accepted: whole numbers from 0 on, of at most 15 digits"),
         (["--seed", "-1"], "--seed: '-1'; accepted: whole numbers from 0 on"),
     ],
 )

@@ -218,8 +218,8 @@ def test_bad_problems_are_one_line_and_exit_code_2(capsys, file, changes, messag
     ("arguments", "message"),
     [
         (["--horizon", "x"], "--horizon: 'x'; accepted: whole numbers from 0 on"),
-        (["--horizon", "0"], "horizon: 0 actions; accepted: 1 or more"),
-        (["--horizon", "2", "--node-limit", "0"], "a limit of 0 nodes"),
+        (["--horizon", "0"], "horizon: 0 actions; accepted: whole numbers from 1 on"),
+        (["--horizon", "2", "--node-limit", "0"], "node limit: 0 nodes"),
         (["--horizon", "2", "--time-limit", "0"], "0.0 seconds; accepted"),
         (["--horizon", "2", "--time-limit", "soon"], "--time-limit: 'soon' is not a number"),
         (["--horizon", "30", "--method", "exhaustive"], "make 2147483646 plans of at most 30"),

@@ -38,7 +38,7 @@ Shortest plan that orients the part up to symmetry
      2            45.0000  (18.4350, 71.5650]            2       0.5000
 
 Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges
-are rounded inwards, so all of them works as printed. Up to symmetry means: of the
+are rounded inwards, so they work as printed. Up to symmetry means: of the
 squeeze function, which cannot tell those orientations apart.
 
 The 1-step plan bears any gripper error: its only turn is random.

@@ -23,7 +23,7 @@ Stochastically optimal plan, also the shortest that orients the part uniquely
      3           206.5651  (180.0000, 234.4623]            1       1.0000
 
 Angles are degrees counter-clockwise, each relative to the gripper's last pose; ranges
-are rounded inwards, so all of them works as printed.
+are rounded inwards, so they work as printed.
 
 Every action may be off by 2.0000 degrees either way.
 The 3-step plan bears every gripper error below 17.1027 degrees, and 17.7688 at the middles of its \

@@ -127,8 +127,8 @@ class TestBadInput:
         ("arcs", "message"),
         [
             ([arc(60, 70)], r"arcs: .* no pair of Arcs; accepted: two arcs apart"),
-            (arc(60, 70), "no pair of Arcs"),
-            (7, "7 is no pair of Arcs"),
+            (arc(60, 70), "arcs: Arc.*; accepted: two arcs"),
+            (7, "arcs: 7; accepted: two arcs"),
             ([arc(60, 70), (80, 90)], "no pair of Arcs"),
             ([arc(60, 80), arc(70, 90)], r"both hold 70\.0000°; accepted"),
             ([arc(70, 90), arc(60, 80)], r"both hold 70\.0000°"),
@@ -148,5 +148,5 @@ class TestBadInput:
             closure_of(RECTANGLE, arcs)
 
     def test_no_plan(self):
-        with pytest.raises(InputError, match="'house' is no FeedingPlan; accepted: one"):
+        with pytest.raises(InputError, match="plan: 'house' is of type str, not FeedingPlan"):
             closure_of("house")

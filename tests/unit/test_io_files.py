@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from stochgeom.errors import WriteError
+from stochgeom.errors import InputError, WriteError
 from stochgeom.io.files import write_whole
 from tests.repo.sources import ROOT
 
@@ -91,3 +91,9 @@ def test_a_write_that_is_cut_short_leaves_nothing(tmp_path, monkeypatch):
         write_whole(str(tmp_path / "a"), "new")
     assert [p.name for p in tmp_path.iterdir()] == ["a"]
     assert (tmp_path / "a").read_text(encoding="utf-8") == "kept"
+
+
+@pytest.mark.parametrize("path", [None, 5, b"plan.json", ["plan.json"]])
+def test_what_is_no_path_is_named(path):
+    with pytest.raises(InputError, match="accepted: the path of a file"):
+        write_whole(path, "text")

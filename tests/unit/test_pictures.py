@@ -379,7 +379,7 @@ class TestOnAxes:
                 "'axes' is of type str, not Axes",
             ),
             (lambda: sg.draw_trace(RECTANGLE), InputError, "not FeedingPlan; accepted: a plan"),
-            (lambda: sg.draw_closure(RECTANGLE), InputError, "no FeedingPlan; accepted: one"),
+            (lambda: sg.draw_closure(RECTANGLE), InputError, "is of type list, not FeedingPlan"),
             (
                 lambda: sg.draw_monotone_step(sg.plan_feeding(RECTANGLE), step=3),
                 InputError,
