@@ -148,10 +148,9 @@ def _verify_certificate(path: str, wants_json: bool) -> int:
         document = any_checker.load(_certificate_of(content, path))
         any_checker.check(document)
     except checker.NoCertificateError as error:
-        raise FormatError(
-            f"no certificate: {error}; accepted: what `stochgeom plan --certificate` writes",
-            where=path,
-        ) from error
+        begin = ", as" if "; accepted: " in str(error) else "; accepted: what"
+        writer = f"{begin} `stochgeom plan --certificate` writes"
+        raise FormatError(f"no certificate: {error}{writer}", where=path) from error
     except checker.InvalidClaimError as error:
         if wants_json:
             claim, message = error.args

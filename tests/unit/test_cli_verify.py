@@ -218,7 +218,8 @@ def test_files_that_are_no_certificates(capsys, tmp_path, content, words):
     assert result.out == ""
     assert words in result.err
     assert str(path) in result.err
-    assert "accepted: what `stochgeom plan --certificate` writes" in result.err
+    assert "`stochgeom plan --certificate` writes" in result.err
+    assert result.err.count("accepted: ") == 1
 
 
 @pytest.mark.parametrize("path", ["no/such/file.json", "."])
@@ -317,3 +318,12 @@ class TestOtherPeoplesPlans:
         result = call(capsys, "verify", *arguments)
         assert (result.code, result.out) == (2, "")
         assert words in result.err
+
+
+def test_another_document_is_no_certificate(capsys, tmp_path):
+    path = tmp_path / "other.json"
+    path.write_text('{"a": 1}')
+    result = call(capsys, "verify", str(path))
+    assert result.code == 2
+    assert result.err.count("accepted: ") == 1
+    assert "no certificate: schema: None; accepted: 'stochgeom/certificate/1'" in result.err
