@@ -105,10 +105,9 @@ def chosen_names(names: Sequence[str], *, every: bool, long: bool) -> list[str]:
         name = canonical_name(text)
         if name not in known:
             alike = [other for other in known if number_of(other) == number_of(name)]
-            meant = " or ".join(sorted(alike, key=place_of))
+            hint = f"; is {' or '.join(sorted(alike, key=place_of))} meant?" if alike else ""
             raise UnknownReproductionError(
-                f"no table or figure {text[:40]!r}; accepted: "
-                + (f"{meant}, as it seems" if meant else listed)
+                f"no table or figure {text[:40]!r}{hint}; accepted: {listed}"
             )
         found.add(name)
     return sorted(found, key=place_of)

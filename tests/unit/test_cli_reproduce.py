@@ -141,7 +141,8 @@ class TestNames:
         ],
     )
     def test_a_number_alone_names_what_has_it(self, text, meant):
-        accepted = "accepted: .*3.1, fig3.1" if meant is None else f"accepted: {meant}, as it seems"
+        hint = "" if meant is None else f"; is {meant} meant\\?"
+        accepted = f"no table or figure '{text}'{hint}; accepted: .*3.1, fig3.1"
         with pytest.raises(UnknownReproductionError, match=accepted):
             chosen_names([text], every=False, long=False)
 
