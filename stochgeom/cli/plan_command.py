@@ -104,9 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
     digits = read_digits(arguments.digits)
     problem = make_problem(arguments)
     cost_ratio = as_cost_ratio(arguments.cost_ratio)  # refused before the work, if it is bad
-    with Progress("phase I: width of the last preimage, of a period") as progress:
-        for preimage in problem.preimages:
-            progress.show(float(TurnRatio(mpq(problem.transfer.order), preimage.width)))
+    run_phase_one(problem)
     optimal = problem.optimal_plan(cost_ratio)
     geometric = problem.geometric_plan(cost_ratio) if problem.preimages.complete else None
     if arguments.certificate is not None:
@@ -119,6 +117,13 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.certificate is not None and asked:
             write(_ABOUT_CERTIFICATES)
     return 0
+
+
+def run_phase_one(problem: FeedingProblem) -> None:
+    """Find all preimages, which the problem keeps, and show how far it is."""
+    with Progress("phase I: width of the last preimage, of a period") as progress:
+        for preimage in problem.preimages:
+            progress.show(float(TurnRatio(mpq(problem.transfer.order), preimage.width)))
 
 
 def make_problem(arguments: argparse.Namespace) -> FeedingProblem:

@@ -11,11 +11,9 @@ from gmpy2 import mpq
 from stochgeom.cli.layout import count
 from stochgeom.cli.options import add_digits, add_json, read_digits
 from stochgeom.cli.output import write, write_json
-from stochgeom.cli.plan_command import add_problem_options, make_problem
-from stochgeom.cli.progress import Progress
+from stochgeom.cli.plan_command import add_problem_options, make_problem, run_phase_one
 from stochgeom.decision.costs import as_cost_ratio
 from stochgeom.errors import InputError
-from stochgeom.exact.ratios import TurnRatio
 from stochgeom.feeding.plans import FeedingPlan
 from stochgeom.feeding.problem import FeedingProblem
 from stochgeom.io.embedded import CERTIFICATE, find_block
@@ -62,9 +60,7 @@ def run(arguments: argparse.Namespace) -> int:
     digits = read_digits(arguments.digits)
     problem = make_problem(arguments)
     cost_ratio = as_cost_ratio(arguments.cost_ratio)  # refused before the work, if it is bad
-    with Progress("phase I: width of the last preimage, of a period") as progress:
-        for preimage in problem.preimages:
-            progress.show(float(TurnRatio(mpq(problem.transfer.order), preimage.width)))
+    run_phase_one(problem)
     plan = _chosen(problem, arguments.steps, cost_ratio)
     page = report_html(plan, digits=digits)
     write_whole(arguments.output, page)

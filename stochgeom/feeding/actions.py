@@ -66,22 +66,39 @@ class Action:
         >>> Action(Angle(0, (3, 1)), Angle(0, (1, 3))).decimals(2)
         ('45.00', '18.44', '71.56')
         """
-        if self.low is None or self.high is None:
-            raise InputError(
-                f"the action at {self.angle} has no range; accepted: one with both ends"
-            )
+        lower, upper = both_ends(self.angle, self.low, self.high)
         # It ends: a rational margin meets an end of the range only if it is an eighth of a turn or
         # so, for ranges and angles are rational directions; such a meeting is seen in every
         # decimal.
         while True:
-            low = self.low.degrees(digits, Rounding.UP)
-            high = self.high.degrees(digits, Rounding.DOWN)
+            low = lower.degrees(digits, Rounding.UP)
+            high = upper.degrees(digits, Rounding.DOWN)
             angle = self.angle.degrees(digits)
             first, typed, last = (Angle.from_turns(mpq(text) / 360) for text in (low, angle, high))
             # At the upper end itself the printed plan would bear no error at all.
             if first < typed - self.margin and typed + self.margin <= last and typed < last:
                 return angle, low, high
             digits += 1
+
+
+def both_ends(angle: Angle, low: Angle | None, high: Angle | None) -> tuple[Angle, Angle]:
+    """Return the ends of an action's range.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+
+    Examples
+    --------
+    >>> both_ends(Angle(), None, None)
+    Traceback (most recent call last):
+    ...
+    stochgeom.errors.InputError: the action at 0.0000° has no range; accepted: one with both ends
+    """
+    if low is None or high is None:
+        raise InputError(f"the action at {angle} has no range; accepted: one with both ends")
+    return low, high
 
 
 def printed_margin(actions: Iterable[Action], digits: int = 4) -> str | None:

@@ -39,11 +39,11 @@ import numpy as np
 from gmpy2 import mpq
 
 from stochgeom.decision.hyperstates import Hyperstate
-from stochgeom.errors import InputError
 from stochgeom.exact.angles import FULL_TURN, ZERO, Angle
 from stochgeom.exact.arcs import Arc
 from stochgeom.exact.intervals import inward_decimals
 from stochgeom.exact.ratios import TurnRatio
+from stochgeom.feeding.actions import both_ends
 from stochgeom.feeding.nearby_courses import PartErrorReport
 from stochgeom.feeding.preimages import Preimages
 from stochgeom.feeding.propagation import Outcome, outcomes
@@ -103,11 +103,8 @@ class Margin:
         >>> Margin(Angle(0, (1, 1)), Angle(0, (3, 1)), Angle(0, (1, 3))).decimals(2)
         ('45.00', '18.44', '71.56')
         """
-        if self.low is None or self.high is None:
-            raise InputError(
-                f"the action at {self.angle} has no range; accepted: one with both ends"
-            )
-        return self.angle.degrees(digits), *inward_decimals(self.low, self.high, digits)
+        ends = both_ends(self.angle, self.low, self.high)
+        return self.angle.degrees(digits), *inward_decimals(*ends, digits)
 
     @property
     def below(self) -> Angle | None:

@@ -27,20 +27,7 @@ _MOST_LETTERS: Final = 5
 
 
 def sensed_blocks_scene(prior: Sequence[RationalLike], likelihood: Sequence[RationalLike]) -> Scene:
-    """Return what a reading makes of a distribution (thesis Fig. 1.2).
-
-    Parameters
-    ----------
-    prior : sequence of rational
-        A weight for each place; they are divided by their sum.
-    likelihood : sequence of rational
-        How likely the reading is in each place.
-
-    Raises
-    ------
-    InputError
-        If the lengths differ, or the reading is impossible under the prior.
-    """
+    """Return the picture of `draw_sensed_blocks`, which says what is accepted."""
     before = normalise(prior)
     chances = [
         as_share(value, where=f"likelihood {k}", what="likelihood")
@@ -64,19 +51,7 @@ def sensed_blocks_scene(prior: Sequence[RationalLike], likelihood: Sequence[Rati
 
 
 def scooped_blocks_scene(prior: Sequence[RationalLike], lands: Sequence[int]) -> Scene:
-    """Return what a blind action makes of a distribution (thesis Fig. 1.3).
-
-    Parameters
-    ----------
-    prior : sequence of rational
-        A weight for each place; they are divided by their sum.
-    lands : sequence of int
-        The place, counted from 0, that a block in each place is moved to.
-
-    Raises
-    ------
-    InputError
-        If the lengths differ, or a number names no place.
+    """Return the picture of `draw_scooped_blocks`, which says what is accepted.
 
     Examples
     --------
