@@ -218,6 +218,8 @@ def test_spread_costs(tables, by_entropy):
             for plan in product(range(len(tables[1])), repeat=k)
         )
         assert abs(float(found.cost) - least) < 1e-12
+        rounded = find_plan(problem.to_float(), 2, cost, method=method)
+        assert abs(rounded.cost - least) < 1e-12
     assert costs[0] == costs[1] == costs[2]
 
 
